@@ -25,6 +25,7 @@
     SUITE(interruption)                                                                            \
     SUITE(file)                                                                                    \
     SUITE(kernel_bits)                                                                             \
+    SUITE(fast_metals)                                                                             \
     SUITE(energy_balance)                                                                          \
     SUITE(j_integral)                                                                              \
     SUITE(j_free_strain)                                                                           \

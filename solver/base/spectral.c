@@ -27,9 +27,6 @@ static void compose(const double a[MPM_SYMMETRIC_SIZE], double mean, double fact
     out[MPM_SYM_XY] = factor * shear;
 }
 
-/* Below this ratio d/a the series of the second term has two terms: the third is round-off. */
-static const double SERIES = 1e-4;
-
 /* (ln(a + d) - ln(a - d))/(2 d) = atanh(d/a)/d */
 void mpm_symmetric_logarithm(const double a[MPM_SYMMETRIC_SIZE], double out[MPM_SYMMETRIC_SIZE])
 {
@@ -38,7 +35,7 @@ void mpm_symmetric_logarithm(const double a[MPM_SYMMETRIC_SIZE], double out[MPM_
     const double determinant =
         a[MPM_SYM_XX] * a[MPM_SYM_YY] - a[MPM_SYM_XY] * a[MPM_SYM_XY]; /* (a + d)(a - d) */
     const double high = plane.mean + plane.half;
-    const double factor = ratio < SERIES
+    const double factor = ratio < MPM_SPECTRAL_SERIES
                               ? (1.0 + ratio * ratio * (1.0 / 3.0)) / plane.mean
                               : 0.5 * mpm_logarithm(high / (determinant / high)) / plane.half;
     const double zz = mpm_logarithm(a[MPM_SYM_ZZ]);
@@ -52,7 +49,8 @@ void mpm_symmetric_exponential(const double a[MPM_SYMMETRIC_SIZE], double out[MP
     const struct plane plane = plane_of(a);
     const double d = plane.half, scale = mpm_exponential(plane.mean);
     const double up = mpm_exponential(d), down = 1.0 / up;
-    const double factor = d < SERIES ? 1.0 + d * d * (1.0 / 6.0) : 0.5 * (up - down) / d;
+    const double factor =
+        d < MPM_SPECTRAL_SERIES ? 1.0 + d * d * (1.0 / 6.0) : 0.5 * (up - down) / d;
     const double zz = mpm_exponential(a[MPM_SYM_ZZ]);
     compose(a, scale * (0.5 * (up + down)), scale * factor, out);
     out[MPM_SYM_ZZ] = zz;

@@ -9,6 +9,9 @@
 
 #include "base/tensor.h"
 
+/* Below this ratio d/a the series of the second term has two terms: the third is round-off. */
+static const double MPM_SPECTRAL_SERIES = 1e-4;
+
 /* ln A of a positive definite A; of any other one components that are not a number. The error is a
  * few units of round-off times the ratio of the eigenvalues. */
 void mpm_symmetric_logarithm(const double a[MPM_SYMMETRIC_SIZE], double out[MPM_SYMMETRIC_SIZE]);

@@ -71,9 +71,11 @@ static bool reads_masses(const struct mpm_scene *scene)
 
 static bool all_in_vectors(const struct mpm_scene *scene)
 {
+    const bool plane_stress = scene->geometry == MPM_PLANE_STRESS;
     bool all = true;
     for (size_t k = 0; k < scene->material_count; k++)
-        all = all && mpm_fast_body_has_vectors(&scene->materials[k]);
+        all = all && mpm_fast_body_has_vectors(&scene->materials[k]) &&
+              !(plane_stress && mpm_law_state_count(scene->materials[k].law) > 0);
     return all || scene->at_rest;
 }
 

@@ -52,17 +52,21 @@ static enum mpm_fast_cargo cargo_of(const struct mpm_scene *scene)
                                                                      : MPM_FAST_WITHOUT_SCALAR;
 }
 
-static bool has_vectors(const struct mpm_material_law *law)
+/* What the equations of metals on vectors have. */
+static bool metal_has_vectors(const struct mpm_material_spec *body)
 {
-    const struct mpm_fast_law *row = mpm_fast_laws_baseline;
-    while (row->law != NULL && row->law != law)
-        row++;
-    return row->law != NULL;
+    return !(body->parameter[MPM_PARAMETER_KINEMATIC_MODULUS] > 0.0) &&
+           body->hardening.count == 0 && !mpm_material_softens(body->law, body->parameter);
 }
 
 bool mpm_fast_body_has_vectors(const struct mpm_material_spec *body)
 {
-    return has_vectors(body->law) && mpm_law_state_count(body->law) == 0 && !body->viscosity.given;
+    const struct mpm_fast_law *row = mpm_fast_laws_baseline;
+    while (row->law != NULL && row->law != body->law)
+        row++;
+    if (row->metal)
+        return metal_has_vectors(body);
+    return row->law != NULL && mpm_law_state_count(body->law) == 0 && !body->viscosity.given;
 }
 
 const char *mpm_fast_lacks(const struct mpm_scene *scene)

@@ -64,6 +64,7 @@ void mpm_fast_constants(const struct mpm_state *state, uint32_t body, double par
         .back = midpoint ? 0.5 * state->time_step : 0.0,
         .deformation_terms = state->scene->deformation_terms,
         .material = state->bodies[body].material,
+        .viscosity = &state->bodies[body].given->viscosity,
     };
     if (scalar != NULL)
         constants->scalar = scalar_of(state, scalar, body);

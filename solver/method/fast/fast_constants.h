@@ -69,6 +69,7 @@ struct fast_constants {
     double lowest_reach[2], highest_reach[2]; /* where their domains may be */
     double cell[2];                           /* the longest step, too */
     struct mpm_material material;
+    const struct mpm_viscosity *viscosity; /* of the body */
 };
 
 struct fast_sums;

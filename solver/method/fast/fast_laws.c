@@ -6,6 +6,7 @@
 
 #include "method/fast/fast_block.h"
 #include "method/fast/fast_stress.h"
+#include "method/fast/metals/metals.h"
 
 typedef void stress_of(const struct mpm_material *material, const mpm_vector f[MPM_GRADIENT_SIZE],
                        mpm_vector tau[MPM_SYMMETRIC_SIZE], mpm_vector *wave_speed_squared);
@@ -98,6 +99,52 @@ MPM_INLINE void update_by_particle(enum mpm_geometry geometry, const struct fast
     mpm_fast_update_particles(sums, k->part, particles, first, end, &next);
 }
 
+/* ------------------------------------------------------------------------- metals */
+
+/* One copy for all geometries. */
+typedef bool metal_step(const struct fast_constants *k, const struct metal *metal,
+                        const struct mpm_particles *particles, size_t p,
+                        struct metal_points *points, mpm_vector *largest);
+struct metal_kind {
+    struct metal_law law;
+    metal_step *step;
+};
+#define METAL_STEP(law, johnson_cook, gruneisen)                                                   \
+    MPM_SEPARATE bool law##_step(const struct fast_constants *k, const struct metal *metal,        \
+                                 const struct mpm_particles *particles, size_t p,                  \
+                                 struct metal_points *points, mpm_vector *largest)                 \
+    {                                                                                              \
+        return update_metal((struct metal_law){johnson_cook, gruneisen}, k, metal, particles, p,   \
+                            points, largest);                                                      \
+    }
+MPM_VECTOR_METALS(METAL_STEP)
+
+/* Four particles that have no end of the step on vectors are taken one by one. */
+MPM_INLINE void update_metals(enum mpm_geometry geometry, struct metal_kind kind,
+                              const struct fast_constants *k, const struct mpm_particles *particles,
+                              size_t first, size_t end, struct fast_sums *sums,
+                              const mpm_vector (*gradient)[MPM_GRADIENT_SIZE])
+{
+    const struct metal metal = metal_of(kind.law, &k->material, k->stress_step);
+    mpm_vector largest = sums->wave;
+    for (size_t p = first; p < end; p += MPM_VECTOR_SIZE, gradient++) {
+        struct metal_points points;
+        mpm_vector h[MPM_GRADIENT_SIZE];
+        load_deformation(particles, p, points.f);
+        for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+            h[i] = k->stress_step * (*gradient)[i];
+        deform_vector(h, k->deformation_terms, geometry == MPM_AXISYMMETRIC, points.f);
+        if (kind.step(k, &metal, particles, p, &points, &largest))
+            continue;
+        struct fast_deformations next;
+        for (int i = 0; i < MPM_GRADIENT_SIZE; i++)
+            /* cppcheck-suppress uninitvar ; it is written to */
+            mpm_store(next.f[i], points.f[i]);
+        mpm_fast_update_particles(sums, k->part, particles, p, p + MPM_VECTOR_SIZE, &next);
+    }
+    sums->wave = largest;
+}
+
 /* ------------------------------------------------------------- the instances */
 
 #define FUNCTION(name)                                                                             \
@@ -137,6 +184,17 @@ FUNCTION(particle_recompute)
     mpm_fast_update_particles(sums, k->part, particles, first, end, NULL);
 }
 
+#define METAL(name, geometry, johnson_cook, gruneisen)                                             \
+    FUNCTION(name##_##geometry)                                                                    \
+    {                                                                                              \
+        update_metals(geometry, (struct metal_kind){{johnson_cook, gruneisen}, name##_step}, k,    \
+                      particles, first, end, sums, gradient);                                      \
+    }
+#define METALS(name, johnson_cook, gruneisen)                                                      \
+    METAL(name, MPM_PLANE_STRAIN, johnson_cook, gruneisen)                                         \
+    METAL(name, MPM_AXISYMMETRIC, johnson_cook, gruneisen)
+MPM_VECTOR_METALS(METALS)
+
 #define ROW(name)                                                                                  \
     {                                                                                              \
         .law = &mpm_##name,                                                                        \
@@ -145,9 +203,18 @@ FUNCTION(particle_recompute)
                    [MPM_AXISYMMETRIC] = name##_MPM_AXISYMMETRIC,                                   \
                    [MPM_FAST_RECOMPUTE] = name##_recompute},                                       \
     },
-const struct mpm_fast_law FAST_NAME(laws)[] = {
-    MPM_VECTOR_LAWS(ROW){.law = NULL,
-                         .update = {[MPM_PLANE_STRAIN] = particle_MPM_PLANE_STRAIN,
-                                    [MPM_PLANE_STRESS] = particle_MPM_PLANE_STRESS,
-                                    [MPM_AXISYMMETRIC] = particle_MPM_AXISYMMETRIC,
-                                    [MPM_FAST_RECOMPUTE] = particle_recompute}}};
+#define METAL_ROW(name, johnson_cook, gruneisen)                                                   \
+    {                                                                                              \
+        .law = &mpm_##name,                                                                        \
+        .metal = true,                                                                             \
+        .update = {[MPM_PLANE_STRAIN] = name##_MPM_PLANE_STRAIN,                                   \
+                   [MPM_PLANE_STRESS] = particle_MPM_PLANE_STRESS,                                 \
+                   [MPM_AXISYMMETRIC] = name##_MPM_AXISYMMETRIC,                                   \
+                   [MPM_FAST_RECOMPUTE] = particle_recompute},                                     \
+    },
+const struct mpm_fast_law FAST_NAME(laws)[] = {MPM_VECTOR_LAWS(ROW) MPM_VECTOR_METALS(METAL_ROW){
+    .law = NULL,
+    .update = {[MPM_PLANE_STRAIN] = particle_MPM_PLANE_STRAIN,
+               [MPM_PLANE_STRESS] = particle_MPM_PLANE_STRESS,
+               [MPM_AXISYMMETRIC] = particle_MPM_AXISYMMETRIC,
+               [MPM_FAST_RECOMPUTE] = particle_recompute}}};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "method/transfer/law_state.h"
 
+#include "base/exponential.h"
 #include "method/transfer/extent.h"
 #include "method/transfer/stress_work.h"
 #include "model/laws/plane_stress.h"
@@ -314,16 +315,14 @@ static bool add_viscosity(const struct mpm_state *state, size_t p, struct evalua
 {
     const struct mpm_particles *const particles = &state->particles;
     const struct mpm_viscosity *const viscosity = viscosity_of(state, p);
-    const double strain = log(mpm_determinant(at->now.f) / mpm_determinant(at->old.f));
-    const double rate = strain / at->duration;
-    at->viscous_pressure =
-        mpm_viscous_pressure(viscosity, cell_size(state), at->wave_speed_squared, rate);
+    const double strain = mpm_logarithm(mpm_determinant(at->now.f) / mpm_determinant(at->old.f));
+    const double rate = strain / at->duration, h = cell_size(state);
+    at->viscous_pressure = mpm_viscous_pressure(viscosity, h, at->wave_speed_squared, rate);
     at->viscous_work = -at->viscous_pressure * strain;
     if (at->viscous_work > 0.0 && at->material->law->keeps_heat &&
         !evaluate_heated(particles, p, at))
         return false;
-    at->wave_speed_squared =
-        mpm_viscous_wave_squared(viscosity, cell_size(state), at->wave_speed_squared, rate);
+    at->wave_speed_squared = mpm_viscous_wave_squared(viscosity, h, at->wave_speed_squared, rate);
     particles->viscous[0][p] = at->viscous_pressure;
     particles->viscous[1][p] += at->viscous_work;
     return true;

@@ -152,21 +152,18 @@ static double integrand(const struct mpm_material *m, double eta, double y)
 static const double PANEL = 1.0;
 
 /* The series of E in eta, of E' = gamma_0 E + A with A = c_0^2 sum_k (k s^(k-1) - gamma_0/2 (k-1)
- * s^(k-2)) eta^k: terms by a recursion. For u = s eta up to SERIES the last one is round-off. */
-enum { SERIES_TERMS = 36 };
-static const double SERIES = 0.3, LEAST = 1e-17;
-
+ * s^(k-2)) eta^k: terms by a recursion. */
 static double energy_by_series(const struct mpm_material *m, double eta)
 {
     const double s = m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE];
     const double speed = m->parameter[MPM_PARAMETER_SOUND_SPEED];
     const double u = s * eta, gamma = m->parameter[MPM_PARAMETER_GRUNEISEN] * eta;
     double part = 0.0, sum = 0.0, power = 1.0, before = 0.0; /* u^(k-1), (k-1) u^(k-2) */
-    for (int k = 1; k < SERIES_TERMS; k++) {
-        const double now = k * power, inverse = 1.0 / (k + 1);
-        part = (gamma * part + (now - 0.5 * gamma * before)) * inverse;
+    for (int k = 1; k < MPM_GRUNEISEN_TERMS; k++) {
+        const double now = k * power;
+        part = (gamma * part + (now - 0.5 * gamma * before)) * mpm_gruneisen_inverse[k + 1];
         sum += part;
-        if (now + fabs(gamma * part) <= LEAST * sum)
+        if (now + fabs(gamma * part) <= MPM_GRUNEISEN_LEAST * sum)
             break;
         before = now;
         power *= u;
@@ -195,12 +192,11 @@ static double energy_compressed(const struct mpm_material *m, double eta)
  * small. */
 static double energy_stretched(const struct mpm_material *m, double eta)
 {
-    enum { TERMS = 16 };
     const double speed = m->parameter[MPM_PARAMETER_SOUND_SPEED];
     const double z = m->parameter[MPM_PARAMETER_GRUNEISEN] * eta;
     double part = 1.0; /* of eta^2/2 */
-    for (int k = TERMS; k > 0; k--)
-        part = 1.0 + z / (k + 2) * part;
+    for (int k = MPM_GRUNEISEN_STRETCHED_TERMS; k > 0; k--)
+        part = 1.0 + z * mpm_gruneisen_inverse[k + 2] * part;
     if (z < -1.0)
         part = 2.0 * (mpm_exponential(z) - 1.0 - z) / (z * z);
     return 0.5 * speed * speed * eta * eta * part;
@@ -211,7 +207,7 @@ static double isentropic_energy(const struct mpm_material *m, double eta)
     const double s = m->parameter[MPM_PARAMETER_HUGONIOT_SLOPE];
     if (!(eta > 0.0))
         return energy_stretched(m, eta);
-    return s * eta <= SERIES ? energy_by_series(m, eta) : energy_compressed(m, eta);
+    return s * eta <= MPM_GRUNEISEN_SERIES ? energy_by_series(m, eta) : energy_compressed(m, eta);
 }
 
 double mpm_gruneisen_temperature(const struct mpm_material *m, double j, double energy)

@@ -72,6 +72,33 @@ double mpm_gruneisen_least_volume(const struct mpm_material *material);
 /* T at J and e; by a series or quadrature, to 1e-11 of e and that of the isentrope. */
 double mpm_gruneisen_temperature(const struct mpm_material *material, double j, double energy);
 
+/* The energy of the isentrope by series, in eta = 1 - J: in compression up to s eta = SERIES, where
+ * the last of so many terms is round-off, below LEAST of the sum; in tension up to gamma_0 eta =
+ * -1.
+ */
+enum { MPM_GRUNEISEN_TERMS = 36, MPM_GRUNEISEN_STRETCHED_TERMS = 16 };
+static const double MPM_GRUNEISEN_SERIES = 0.3, MPM_GRUNEISEN_LEAST = 1e-17;
+/* 1/k */
+#define MPM_GRUNEISEN_TEN(tens)                                                                    \
+    1.0 / ((tens) + 0), 1.0 / ((tens) + 1), 1.0 / ((tens) + 2), 1.0 / ((tens) + 3),                \
+        1.0 / ((tens) + 4), 1.0 / ((tens) + 5), 1.0 / ((tens) + 6), 1.0 / ((tens) + 7),            \
+        1.0 / ((tens) + 8), 1.0 / ((tens) + 9)
+static const double mpm_gruneisen_inverse[] = {
+    0.0,
+    1.0,
+    1.0 / 2,
+    1.0 / 3,
+    1.0 / 4,
+    1.0 / 5,
+    1.0 / 6,
+    1.0 / 7,
+    1.0 / 8,
+    1.0 / 9,
+    MPM_GRUNEISEN_TEN(10),
+    MPM_GRUNEISEN_TEN(20),
+    MPM_GRUNEISEN_TEN(30),
+};
+
 /* Rows of struct mpm_law_parameter: of the equation, of the temperature. */
 #define MPM_GRUNEISEN_PARAMETERS                                                                   \
     {.which = MPM_PARAMETER_SOUND_SPEED}, {.which = MPM_PARAMETER_HUGONIOT_SLOPE},                 \

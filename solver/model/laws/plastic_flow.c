@@ -10,8 +10,6 @@
 
 enum { INVERSE = MPM_PLASTIC_INVERSE, PLASTIC = MPM_PLASTIC_STRAIN };
 
-static const double ROOT_TWO_THIRDS = 0.81649658092772603273;
-
 /* ------------------------------------------------------------------- kinematics */
 
 /* F X F^T of a symmetric X */
@@ -110,7 +108,7 @@ static double softening_of(const struct mpm_material *m, const struct mpm_plasti
 /* s after the slip, and ds/dp */
 static double strength(const struct flow *flow, double slip, double *slope)
 {
-    const double change = ROOT_TWO_THIRDS * slip;
+    const double change = MPM_ROOT_TWO_THIRDS * slip;
     const struct mpm_plastic_point point = {flow->plastic + change, change, flow->duration,
                                             flow->softening};
     return flow->model->yield(flow->m, &point, slope);
@@ -127,14 +125,10 @@ static double norm_after(const struct flow *flow, double slip)
     return mpm_symmetric_norm(driving);
 }
 
-enum { ITERATIONS = 200 };
-static const double ROUND_OFF = 1e-15;
-static const double LEAST = 1e-300; /* slip: a power of a smaller one would be the same */
-
 /* Of a bracket, by ratio where its ends are far apart. */
 static double middle_of(double low, double high)
 {
-    return low < 1e-3 * high ? sqrt(fmax(low, LEAST)) * sqrt(high) : 0.5 * (low + high);
+    return low < 1e-3 * high ? sqrt(fmax(low, MPM_PLASTIC_LEAST)) * sqrt(high) : 0.5 * (low + high);
 }
 
 /* Where yield is met on the way to the slip `high`, at which without back stress no stress is left.
@@ -143,16 +137,16 @@ enum place { NOWHERE, AT_THE_END, BEFORE_THE_END };
 
 static enum place place_of_end(const struct flow *flow, double high)
 {
-    static const double FAINT = 1e-12; /* a strength of that part of the trial stress is none */
     const bool coaxial = flow->model->kinematic == 0.0;
-    if (coaxial && flow->yield > FAINT * flow->norm) /* and strength does not fall in p */
+    if (coaxial &&
+        flow->yield > MPM_PLASTIC_FAINT * flow->norm) /* and strength does not fall in p */
         return BEFORE_THE_END;
     double slope;
     const double yield = strength(flow, high, &slope);
-    const double rest = norm_after(flow, high) - ROOT_TWO_THIRDS * yield;
+    const double rest = norm_after(flow, high) - MPM_ROOT_TWO_THIRDS * yield;
     if (yield > 0.0 && rest < 0.0)
         return BEFORE_THE_END;
-    return coaxial && rest < ROUND_OFF * flow->norm ? AT_THE_END : NOWHERE;
+    return coaxial && rest < MPM_PLASTIC_ROUND_OFF * flow->norm ? AT_THE_END : NOWHERE;
 }
 
 /* The slip at which the overstress, |dev tau - beta| - sqrt(2/3) s, is 0: Newton's steps in a
@@ -168,14 +162,14 @@ static bool find_slip(const struct flow *flow, double *slip)
     *slip = place == AT_THE_END ? high : 0.0;
     if (place != BEFORE_THE_END)
         return place == AT_THE_END;
-    for (int k = 0; k < ITERATIONS; k++) {
-        const double over = norm_after(flow, *slip) - ROOT_TWO_THIRDS * yield;
+    for (int k = 0; k < MPM_PLASTIC_ITERATIONS; k++) {
+        const double over = norm_after(flow, *slip) - MPM_ROOT_TWO_THIRDS * yield;
         const double change = over / (flow->stiffness + 2.0 / 3.0 * slope);
         const bool slow = fabs(over) > 0.5 * last;
         if (!isfinite(change))
             return false;
-        if (fabs(over) <= ROUND_OFF * flow->norm || high - low <= ROUND_OFF * high ||
-            high <= 2.0 * LEAST)
+        if (fabs(over) <= MPM_PLASTIC_ROUND_OFF * flow->norm ||
+            high - low <= MPM_PLASTIC_ROUND_OFF * high || high <= 2.0 * MPM_PLASTIC_LEAST)
             return true;
         *(over > 0.0 ? &low : &high) = *slip;
         *slip += change;
@@ -231,7 +225,7 @@ static bool flow_back(struct flow *flow, const double b_elastic[MPM_SYMMETRIC_SI
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
         driving[k] -= flow->stiffness * slip * flow->normal[k];
     pull(flow->f, after, state + INVERSE);
-    state[PLASTIC] += ROOT_TWO_THIRDS * slip;
+    state[PLASTIC] += MPM_ROOT_TWO_THIRDS * slip;
     if (holds_elastic_strain(flow->f, state + INVERSE))
         return true;
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
@@ -257,7 +251,7 @@ bool mpm_plastic_return(const struct mpm_material *m, const struct mpm_plastic_m
                             .stiffness = 2.0 * m->shear + 2.0 / 3.0 * model->kinematic};
         driving_stress(m, model->kinematic, step->f, b_elastic, driving);
         flow.yield = strength(&flow, 0.0, &flow.hardening);
-        if (!(mpm_symmetric_norm(driving) <= ROOT_TWO_THIRDS * flow.yield) &&
+        if (!(mpm_symmetric_norm(driving) <= MPM_ROOT_TWO_THIRDS * flow.yield) &&
             !flow_back(&flow, b_elastic, driving, state)) {
             for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
                 tau[k] = driving[k];
@@ -303,6 +297,9 @@ double mpm_plastic_wave_squared(const struct mpm_material *m, double bulk,
     mpm_plane_eigenvalues(b_elastic, elastic);
     mpm_plane_eigenvalues(tau, stress);
     const double longitudinal = bulk + 4.0 / 3.0 * m->shear - stress[0];
+    if (elastic[0] > 0.0 &&
+        m->shear * MPM_PLASTIC_SHEAR_BOUND * (elastic[1] / elastic[0]) < longitudinal)
+        return longitudinal;
     const double part = (elastic[1] - elastic[0]) / elastic[1];
     const double transverse =
         m->shear * (part > 1e-8 ? mpm_logarithm(elastic[1] / elastic[0]) / part : 1.0);

@@ -44,6 +44,17 @@ enum { MPM_PLASTIC_INVERSE = 0, MPM_PLASTIC_STRAIN = MPM_SYMMETRIC_SIZE, MPM_PLA
         "plastic_strain", MPM_DIMENSION_NONE, 0.0, "equivalent plastic strain"                     \
     }
 
+/* Of the search for the slip of a step. */
+enum { MPM_PLASTIC_ITERATIONS = 200 };
+static const double MPM_ROOT_TWO_THIRDS = 0.81649658092772603273;
+static const double MPM_PLASTIC_ROUND_OFF = 1e-15;
+/* slip: a power of a smaller one would be the same */
+static const double MPM_PLASTIC_LEAST = 1e-300;
+/* a strength of that part of the trial stress is none */
+static const double MPM_PLASTIC_FAINT = 1e-12;
+/* Of the shear wave: G ln(b/a) b/(b - a) <= G b/a, since ln x <= x - 1; and round-off. */
+static const double MPM_PLASTIC_SHEAR_BOUND = 1.0 + 1e-6;
+
 /* Where the yield stress is asked for: p, its change since the start of the step (p is after it),
  * the duration of the step, and the model's factor of the step's temperature. */
 struct mpm_plastic_point {

@@ -1,0 +1,341 @@
+/* Laws of metals on vectors of four particles: the same bits as particle by particle, in any state;
+ * and who is taken on vectors at all.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "suites.h"
+#include "support/near.h"
+#include "support/scenes.h"
+
+#include "method/fast/fast.h"
+#include "method/fast/fast_block.h"
+#include "method/fast/fast_laws.h"
+#include "model/laws/gruneisen_solid.h"
+#include "simulation/simulation.h"
+
+#include <glib.h>
+
+/* ------------------------------------------------------------------------ laws */
+
+#define STRENGTH                                                                                   \
+    "shear: 0.3, yield_stress: 0.005, hardening_coefficient: 0.004, hardening_exponent: 0.3, "     \
+    "rate_coefficient: 0.02, reference_rate: 1e-3, softening_exponent: 1.2, "                      \
+    "reference_temperature: 300, melting_temperature: 1700, start_temperature: 300, "              \
+    "specific_heat: 1e-4, taylor_quinney: 0.9"
+#define PRESSURE "sound_speed: 1, hugoniot_slope: 1.5, gruneisen: 2"
+#define VISCOUS  ", viscosity: {linear: 0.2, quadratic: 1.5}"
+#define POWER    "hardening_strain: 0.01, hardening_exponent: 0.2"
+
+static const struct law_case {
+    const char *text;
+    bool warms; /* its strength depends on a temperature */
+} laws[] = {
+    {"law: von_mises, bulk: 0.6, shear: 0.3, yield_stress: 0.005", false},
+    {"law: von_mises, bulk: 0.6, shear: 0.3, yield_stress: 0.005, " POWER VISCOUS, false},
+    {"law: von_mises, bulk: 0.6, shear: 0.3, yield_stress: 0.005, hardening_modulus: 0.01", false},
+    {"law: johnson_cook, bulk: 0.6, " STRENGTH, true},
+    {"law: johnson_cook, bulk: 0.6, " STRENGTH VISCOUS, true},
+    {"law: johnson_cook, bulk: 0.6, shear: 0.3, yield_stress: 0.005", false},
+    {"law: von_mises_gruneisen, shear: 0.3, yield_stress: 0.005, " POWER ", " PRESSURE, false},
+    {"law: von_mises_gruneisen, shear: 0.3, yield_stress: 0.005, " PRESSURE VISCOUS, false},
+    {"law: johnson_cook_gruneisen, " STRENGTH ", " PRESSURE, true},
+    {"law: johnson_cook_gruneisen, " STRENGTH ", " PRESSURE VISCOUS, true},
+    {"law: johnson_cook_gruneisen, " STRENGTH ", pressure_cutoff: 0.2, " PRESSURE VISCOUS, true},
+};
+
+static struct test_run open_law(const struct law_case *law, const char *geometry)
+{
+    static const char scene[] =
+        "format: 1\ngeometry: %s\ngrid: {origin: [0, 0], cell: [1, 0.8], cells: [12, 12]}\n"
+        "units: {length: mm, mass: kg, time: ms, temperature: K}\n"
+        "time: {end: 1000, step: 0.02}\n"
+        "materials: [{name: metal, density: 1.3, %s}]\n"
+        "bodies: [{name: block, material: metal, region: {rectangle: {from: [2, 2], to: [10, 8]}}, "
+        "velocity: [0.001, 0]}]\n";
+    char *text = g_strdup_printf(scene, geometry, law->text);
+    struct test_run run = test_run_open(text, NULL, 1);
+    g_free(text);
+    test_run_steps(&run, 1);
+    return run;
+}
+
+/* ---------------------------------------------------------------------- states */
+
+/* Where a particle is before the step, and how fast it deforms. */
+static const struct state_case {
+    const char *name;
+    double strain, plastic, heat; /* of F, p, and energy of heat in units of that which melts */
+    double volume, rate;          /* J, and the size of velocity gradients */
+    bool in_vectors;              /* of all laws */
+} states[] = {
+    {"undeformed", 0.0, 0.0, 0.0, 1.0, 0.0, true},
+    {"elastic", 0.003, 0.0, 0.0, 1.0, 0.01, true},
+    {"first to yield", 0.004, 0.0, 0.0, 0.999, 0.5, true},
+    {"yielding", 0.004, 0.3, 0.2, 1.001, 0.5, true},
+    {"in a shock", 0.01, 0.1, 0.1, 0.9, 3.0, true},
+    {"barely plastic", 0.02, 1e-290, 0.0, 1.0, 0.2, true},
+    {"melted", 0.01, 0.3, 1.5, 1.0, 0.5, false},
+    {"torn", 0.01, 0.3, 0.0, 1.2, 0.5, false},
+    {"dense", 0.01, 0.3, 0.0, 0.75, 0.5, false},
+};
+enum { STATES = G_N_ELEMENTS(states), BLOCK = MPM_BLOCK_VECTORS * MPM_VECTOR_SIZE };
+
+static double around(GRand *random, double size)
+{
+    return g_rand_double_range(random, -1.0, 1.0) * size;
+}
+
+static size_t variables_of(const struct test_run *run)
+{
+    return mpm_law_state_count(run->scene->materials[0].law);
+}
+
+static void set_variable(const struct test_run *run, size_t p, size_t k, double value)
+{
+    if (k < variables_of(run))
+        *mpm_particle_law_state(&run->simulation->state.particles, p, k) = value;
+}
+
+static void fill_particle(const struct test_run *run, size_t p, const struct state_case *at,
+                          bool plane, GRand *random)
+{
+    const struct mpm_particles *const particles = &run->simulation->state.particles;
+    const double stretch = cbrt(at->volume), melting = 1400.0 * 1e-4;
+    for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+        particles->deformation[k][p] =
+            (k == MPM_XY || k == MPM_YX ? 0.0 : stretch) + around(random, at->strain);
+    if (plane)
+        particles->deformation[MPM_ZZ][p] = 1.0;
+    for (size_t k = 0; k < MPM_SYMMETRIC_SIZE; k++)
+        set_variable(run, p, MPM_PLASTIC_INVERSE + k,
+                     (k == MPM_SYM_XY ? 0.0 : 1.0) + around(random, 0.5 * at->strain));
+    set_variable(run, p, MPM_PLASTIC_STRAIN, at->plastic);
+    set_variable(run, p, MPM_SOLID_ENERGY, at->heat * melting);
+    set_variable(run, p, MPM_SOLID_WORK, 0.01 * at->plastic);
+}
+
+/* ------------------------------------------------------------------ both updates */
+
+/* The numbers that an update changes, of a block's particles. */
+enum { NUMBERS = MPM_GRADIENT_SIZE + MPM_SYMMETRIC_SIZE + MPM_LAW_STATES + 2 };
+struct numbers {
+    double of[NUMBERS][BLOCK];
+};
+
+static double *number_at(const struct test_run *run, size_t which, size_t p)
+{
+    const struct mpm_particles *const particles = &run->simulation->state.particles;
+    if (which < MPM_GRADIENT_SIZE)
+        return &particles->deformation[which][p];
+    which -= MPM_GRADIENT_SIZE;
+    if (which < MPM_SYMMETRIC_SIZE)
+        return &particles->stress[which][p];
+    which -= MPM_SYMMETRIC_SIZE;
+    if (which < MPM_LAW_STATES)
+        return which < variables_of(run) ? mpm_particle_law_state(particles, p, which) : NULL;
+    which -= MPM_LAW_STATES;
+    return particles->viscous[which] == NULL ? NULL : &particles->viscous[which][p];
+}
+
+static void copy_numbers(const struct test_run *run, struct numbers *numbers, bool back)
+{
+    for (size_t which = 0; which < NUMBERS; which++)
+        for (size_t p = 0; p < BLOCK; p++) {
+            double *const number = number_at(run, which, p);
+            if (number != NULL && back)
+                *number = numbers->of[which][p];
+            else
+                numbers->of[which][p] = number == NULL ? 0.0 : *number;
+        }
+}
+
+/* Of a block's update; `by_particle`: did any part of it go particle by particle? */
+struct outcome {
+    struct numbers numbers;
+    double wave_squared;
+    bool by_particle;
+    enum mpm_failure_kind failure;
+};
+
+static struct outcome update(const struct test_run *run, const struct mpm_fast_law *row,
+                             enum mpm_geometry geometry, mpm_vector (*gradient)[MPM_GRADIENT_SIZE])
+{
+    const struct mpm_state *const state = &run->simulation->state;
+    struct mpm_strip strip = {.wave_speed_squared = 0.0};
+    struct fast_sums sums = {.state = state, .strip = &strip};
+    struct fast_constants constants;
+    struct outcome outcome;
+    mpm_fast_constants(state, 0, 1.0, &constants);
+    row->update[geometry](&constants, &state->particles, 0, BLOCK, &sums,
+                          (const mpm_vector(*)[MPM_GRADIENT_SIZE])gradient);
+    copy_numbers(run, &outcome.numbers, false);
+    outcome.by_particle = strip.wave_speed_squared > 0.0 || strip.failure.kind != MPM_NO_FAILURE;
+    outcome.failure = strip.failure.kind;
+    outcome.wave_squared = strip.wave_speed_squared;
+    for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+        outcome.wave_squared = fmax(outcome.wave_squared, sums.wave[lane]);
+    return outcome;
+}
+
+static const struct mpm_fast_law *row_of(const struct mpm_fast_law *table,
+                                         const struct mpm_material_law *law)
+{
+    while (table->law != NULL && table->law != law)
+        table++;
+    return table;
+}
+
+/* The block at hand by both: fails where a bit differs. Is it taken on vectors as a whole? */
+static bool update_by_both(const struct test_run *run, const struct mpm_fast_law *table,
+                           enum mpm_geometry geometry, const char *what, GRand *random, double rate)
+{
+    mpm_vector gradient[MPM_BLOCK_VECTORS][MPM_GRADIENT_SIZE];
+    for (int v = 0; v < MPM_BLOCK_VECTORS; v++)
+        for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
+            for (int lane = 0; lane < MPM_VECTOR_SIZE; lane++)
+                gradient[v][k][lane] =
+                    k == MPM_ZZ && geometry == MPM_PLANE_STRAIN ? 0.0 : around(random, rate);
+    struct numbers before;
+    copy_numbers(run, &before, false);
+    const struct mpm_material_law *const law = run->scene->materials[0].law;
+    const struct outcome vectors = update(run, row_of(table, law), geometry, gradient);
+    copy_numbers(run, &before, true);
+    const struct outcome single = update(run, row_of(table, NULL), geometry, gradient);
+    ck_assert_msg(vectors.failure == single.failure, "%s: failure %d, by particle %d", what,
+                  (int)vectors.failure, (int)single.failure);
+    for (size_t which = 0; which < NUMBERS && single.failure == MPM_NO_FAILURE; which++)
+        for (size_t p = 0; p < BLOCK; p++)
+            ck_assert_msg(vectors.numbers.of[which][p] == single.numbers.of[which][p],
+                          "%s: number %zu of particle %zu: %.17g, by particle %.17g", what, which,
+                          p, vectors.numbers.of[which][p], single.numbers.of[which][p]);
+    ck_assert_msg(vectors.wave_squared == single.wave_squared || single.failure != MPM_NO_FAILURE,
+                  "%s: wave %.17g, by particle %.17g", what, vectors.wave_squared,
+                  single.wave_squared);
+    return !vectors.by_particle;
+}
+
+/* Each law in one geometry, and one set of instructions. */
+struct setup {
+    const struct law_case *law;
+    enum mpm_geometry geometry;
+    const struct mpm_fast_law *table;
+    char name[160];
+};
+enum { SETUPS = 4 * G_N_ELEMENTS(laws) };
+
+/* False: this machine does not have these instructions. */
+static bool take_setup(int index, struct setup *setup, struct test_run *run)
+{
+    const bool wide = index % 2 != 0, plane = index / 2 % 2 != 0;
+    setup->law = &laws[index / 4];
+    setup->geometry = plane ? MPM_PLANE_STRAIN : MPM_AXISYMMETRIC;
+    setup->table = mpm_fast_laws_baseline;
+    if (wide && mpm_fast_widest() == MPM_SIMD_BASELINE)
+        return false;
+#ifdef MPM_FAST_V3
+    if (wide)
+        setup->table = mpm_fast_laws_v3;
+#endif
+    (void)g_snprintf(setup->name, sizeof setup->name, "%s (%s)", setup->law->text,
+                     plane ? "plane strain" : "axisymmetric");
+    *run = open_law(setup->law, plane ? "plane_strain" : "axisymmetric");
+    return true;
+}
+
+/* ------------------------------------------------------------------------ tests */
+
+enum { ROUNDS = 20 };
+
+START_TEST(four_particles_in_one_state_have_the_bits_of_each_alone)
+{
+    struct setup setup;
+    struct test_run run;
+    if (!take_setup(_i, &setup, &run))
+        return;
+    GRand *random = g_rand_new_with_seed(41);
+    for (size_t s = 0; s < STATES; s++) {
+        int in_vectors = 0;
+        for (int round = 0; round < ROUNDS; round++) {
+            char *what = g_strdup_printf("%s, %s", setup.name, states[s].name);
+            for (size_t p = 0; p < BLOCK; p++)
+                fill_particle(&run, p, &states[s], setup.geometry == MPM_PLANE_STRAIN, random);
+            in_vectors +=
+                update_by_both(&run, setup.table, setup.geometry, what, random, states[s].rate);
+            g_free(what);
+        }
+        if (states[s].in_vectors)
+            ck_assert_msg(in_vectors == ROUNDS, "%s, %s: %d of %d on vectors", setup.name,
+                          states[s].name, in_vectors, ROUNDS);
+    }
+    g_rand_free(random);
+    test_run_close(&run);
+}
+END_TEST
+
+START_TEST(four_particles_in_different_states_have_the_bits_of_each_alone)
+{
+    struct setup setup;
+    struct test_run run;
+    if (!take_setup(_i, &setup, &run))
+        return;
+    GRand *random = g_rand_new_with_seed(43);
+    for (int round = 0; round < 10 * ROUNDS; round++) {
+        for (size_t p = 0; p < BLOCK; p++) {
+            const size_t s = (size_t)g_rand_int_range(random, 0, STATES);
+            fill_particle(&run, p, &states[s], setup.geometry == MPM_PLANE_STRAIN, random);
+        }
+        (void)update_by_both(&run, setup.table, setup.geometry, setup.name, random, 0.5);
+    }
+    g_rand_free(random);
+    test_run_close(&run);
+}
+END_TEST
+
+START_TEST(melted_and_cut_states_are_taken_particle_by_particle)
+{
+    static const struct law_case *const law = &laws[10]; /* with both */
+    struct test_run run = open_law(law, "axisymmetric");
+    GRand *random = g_rand_new_with_seed(47);
+    for (size_t s = 0; s < STATES; s++) {
+        for (size_t p = 0; p < BLOCK; p++)
+            fill_particle(&run, p, &states[s], false, random);
+        const bool in_vectors = update_by_both(&run, mpm_fast_laws_baseline, MPM_AXISYMMETRIC,
+                                               states[s].name, random, 0.01);
+        ck_assert_msg(in_vectors == states[s].in_vectors, "%s: %d", states[s].name, in_vectors);
+    }
+    g_rand_free(random);
+    test_run_close(&run);
+}
+END_TEST
+
+START_TEST(back_stress_tables_and_conducted_temperatures_have_no_vectors)
+{
+    struct test_run run = open_law(&laws[8], "axisymmetric");
+    struct mpm_material_spec *const material = &run.scene->materials[0];
+    double *const given = material->parameter;
+    ck_assert(mpm_fast_body_has_vectors(material));
+    material->hardening.count = 1;
+    ck_assert(!mpm_fast_body_has_vectors(material));
+    material->hardening.count = 0;
+    given[MPM_PARAMETER_KINEMATIC_MODULUS] = 1.0;
+    ck_assert(!mpm_fast_body_has_vectors(material));
+    given[MPM_PARAMETER_KINEMATIC_MODULUS] = 0.0;
+    ck_assert(mpm_fast_body_has_vectors(material));
+    material->law = &mpm_johnson_cook;
+    given[MPM_PARAMETER_SPECIFIC_HEAT] = 0.0; /* softening by a conducted temperature */
+    ck_assert(!mpm_fast_body_has_vectors(material));
+    test_run_close(&run);
+}
+END_TEST
+
+Suite *suite_fast_metals(void)
+{
+    Suite *const suite = suite_create("fast_metals");
+    TCase *const bits = tcase_create("bits");
+    tcase_add_loop_test(bits, four_particles_in_one_state_have_the_bits_of_each_alone, 0, SETUPS);
+    tcase_add_loop_test(bits, four_particles_in_different_states_have_the_bits_of_each_alone, 0,
+                        SETUPS);
+    tcase_add_test(bits, melted_and_cut_states_are_taken_particle_by_particle);
+    tcase_add_test(bits, back_stress_tables_and_conducted_temperatures_have_no_vectors);
+    suite_add_tcase(suite, bits);
+    return suite;
+}
