@@ -78,6 +78,7 @@ static struct run_texts texts_of(const struct command_options *given)
         .only = g_strdup(given->only),
         .kernels = g_strdup(given->kernels),
         .baseline = g_strdup(given->baseline),
+        .api = g_strdup(given->api),
         .catalogue = g_strdup(given->catalogue),
     };
 }

@@ -10,6 +10,7 @@
 #include "verification/common/result_path.h"
 #include "verification/records/changes.h"
 #include "verification/records/history.h"
+#include "verification/report/api_pages.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -165,6 +166,10 @@ static enum mpm_status keep_mutants(const char *folder, const char *path, struct
 enum mpm_status report_store(const char *folder, const struct report_additions *additions,
                              struct mpm_error *error)
 {
+    bool there;
+    if (additions->api != NULL)
+        TRY(api_pages_check(additions->api, error));
+    TRY(api_pages_find(folder, additions->api != NULL, &there, error)); /* before any is written */
     if (additions->baseline != NULL)
         TRY(keep_changes(folder, additions->baseline, error));
     if (additions->headroom != NULL)
@@ -176,7 +181,7 @@ enum mpm_status report_store(const char *folder, const struct report_additions *
         TRY(history_gather(folder, additions->history, &history, error));
         TRY(write_json(folder, history_name, history, error));
     }
-    return MPM_OK;
+    return additions->api != NULL ? api_pages_copy(additions->api, folder, error) : MPM_OK;
 }
 
 static enum mpm_status read_stored(const char *folder, const char *name,
