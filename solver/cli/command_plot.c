@@ -27,6 +27,13 @@ enum mpm_status cli_plot(struct command *command, struct mpm_error *error)
         g_free(fields);
         return MPM_OK;
     }
+    if (given->names) {
+        char *names = NULL;
+        const enum mpm_status found = mpm_plot_names(&options, &names, &cause);
+        (void)fputs(found == MPM_OK ? names : "", stdout);
+        g_free(names);
+        return found == MPM_OK ? MPM_OK : mpm_error_set(error, found, "plot: %s", cause.message);
+    }
     if (folder == NULL)
         return mpm_error_set(error, MPM_BAD_INPUT,
                              "plot: a folder of results is missing; see 'mpm plot --help'");
