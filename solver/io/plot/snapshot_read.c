@@ -397,8 +397,8 @@ read_snapshot(const char *path, enum mpm_status (*take)(const struct reading *re
 enum mpm_status mpm_picture_read(const char *path, const char *field, struct mpm_picture *picture,
                                  struct mpm_error *error)
 {
-    struct wanted wanted = {field, picture};
     *picture = (struct mpm_picture){.count = 0};
+    struct wanted wanted = {field, picture};
     return read_snapshot(path, read_picture, &wanted, error);
 }
 
