@@ -94,6 +94,9 @@ enum mpm_status cli_new(struct command *command, struct mpm_error *error)
 {
     const struct cli_arguments *const given = &command->arguments;
     const char *const kind = given->operands != NULL ? given->operands[0] : NULL;
+    if (given->list && given->names)
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "new: allowed: one of --list and --names; see 'mpm new --help'");
     if (given->list || given->names)
         return list(given->names);
     const struct scene *const scene = kind != NULL ? find(kind) : NULL;

@@ -5,6 +5,7 @@
 
 #include "base/status.h"
 #include "io/plot/plot.h"
+#include "mpm_file.h"
 
 #include <stdio.h>
 
@@ -21,6 +22,13 @@ enum mpm_status cli_plot(struct command *command, struct mpm_error *error)
         .snapshot = given->snapshot,
         .format = given->format != NULL ? given->format : "svg",
     };
+    if (given->list && given->names)
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "plot: allowed: one of --list and --names; see 'mpm plot --help'");
+    if (given->output != NULL && mpm_path_is_file(given->output))
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "plot: %s: is a file; allowed: a folder for the pictures",
+                             given->output);
     if (given->list) {
         char *const fields = mpm_plot_fields();
         (void)fputs(fields, stdout);

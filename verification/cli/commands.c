@@ -12,6 +12,7 @@
 #include "verification/report/report_stored.h"
 
 #include "mpm_commands.h"
+#include "mpm_file.h"
 
 #include <glib.h>
 #include <math.h>
@@ -62,6 +63,9 @@ static enum mpm_status command_report(struct command *command, struct mpm_error 
         .history = (const char *const *)command->options.history,
         .api = command->options.api,
     };
+    if (command->options.catalogue != NULL && !mpm_path_is_folder(command->options.catalogue))
+        return failure_set(error, MPM_BAD_INPUT, "--catalogue %s: no such folder of a catalogue",
+                           command->options.catalogue);
     TRY(report_check(folder, error)); /* before anything is written there */
     TRY(report_store(folder, &additions, error));
     char *reports = resources_reports(command->argv[0]);

@@ -88,6 +88,7 @@ static const struct bad_line {
     {{"run", "SCENE", "--threads"}, "run: --threads: N is missing; see"},
     {{"run", "SCENE", "--set"}, "run: --set: PATH=VALUE is missing; see"},
     {{"run", ""}, "run: SCENE is empty; see 'mpm run --help'"},
+    {{"new", "--list", "--names"}, "new: allowed: one of --list and --names; see"},
     {{"new", ""}, "new: KIND is empty; see 'mpm new --help'"},
     {{"help", "run", "more"}, "help: unexpected argument \"more\"; see 'mpm --help'"},
     {{"completion", "bash", "more"}, "completion: unexpected argument \"more\""},

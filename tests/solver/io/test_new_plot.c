@@ -290,6 +290,8 @@ static const struct {
     {{"--field", "temperatur"}, "; did you mean temperature?\n"},
     {{"--snapshot", "77"}, "--snapshot 77: "},
     {{"--snapshot", "last"}, "--snapshot last: "},
+    {{"--list", "--names"}, "plot: allowed: one of --list and --names; see"},
+    {{"--output", "/proc/version"}, "plot: /proc/version: is a file; allowed: a folder"},
     {{"--format", "pdf"}, "--format \"pdf\"; allowed: svg, png"},
 };
 
