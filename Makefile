@@ -354,11 +354,16 @@ coverage: ## unit tests with VARIANT=cov, then lines and branches covered, by gc
 		  --exclude-throw-branches build/cov
 
 # ------------------------------------------------------------- verification
+# Pages of the headers go into the report where `make docs` made them and no source is newer.
+API_PAGES = build/docs/html/index.html
+API = $(shell [ -e $(API_PAGES) ] && \
+  [ -z "$$(find $(PUBLIC_HEADERS) docs/library.md docs/Doxyfile docs/doxygen_* -newer $(API_PAGES))" ] && \
+  echo --api $(dir $(API_PAGES)))
 .PHONY: verify verify-full
 verify: all ## the catalogue at CI size; report in build/reports/verify; V=1: a line for each check
-	$(BUILD)/bin/mpm-verify run --tier ci $(if $(V),--verbose) --output build/reports/verify
+	$(BUILD)/bin/mpm-verify run --tier ci $(if $(V),--verbose) $(API) --output build/reports/verify
 verify-full: all ## the catalogue at full size; report in build/reports/verify-full
-	$(BUILD)/bin/mpm-verify run --tier full $(if $(V),--verbose) --output build/reports/verify-full
+	$(BUILD)/bin/mpm-verify run --tier full $(if $(V),--verbose) $(API) --output build/reports/verify-full
 
 .PHONY: test-browser
 test-browser: all ## the report of `make verify` in headless Chromium: links, sorting, layout, axe
@@ -514,8 +519,8 @@ install: all ## programs, headers, libmpm (static, shared, touchstone.pc), man p
 PLAIN_NAMES := [(](variable|enumeration|enumvalue|macro definition)[)] of|Compound .* is not documented
 DOXYGEN ?= doxygen
 .PHONY: docs
-docs: ## pages of the library's headers, by Doxygen; build/docs/html
-	@if command -v $(DOXYGEN) >/dev/null; then mkdir -p build/docs && \
+docs: ## pages of the library's headers, by Doxygen; build/docs/html; `make verify` takes them into its report
+	@if command -v $(DOXYGEN) >/dev/null; then rm -rf build/docs && mkdir -p build/docs && \
 	  { cat docs/Doxyfile; echo 'INPUT += $(PUBLIC_HEADERS)'; echo 'OUTPUT_DIRECTORY = build/docs'; \
 	    echo 'PROJECT_NUMBER = $(VERSION)'; } | $(DOXYGEN) - && ! grep -Ev '$(PLAIN_NAMES)' build/docs/warnings && \
 	  echo 'build/docs/html/index.html'; \

@@ -27,7 +27,9 @@ struct mpm_option {
     size_t offset;     /* of its value in the options of the program */
     const char *value; /* in help: "DIR", "ci|full"; NULL for a flag */
     const char *help;
-    const char *names; /* a command of the program that prints what the value may be; or NULL */
+    /* A command of the program that prints what the value may be, or NULL. With " DIR" at its end
+     * it is given the first folder of the command line, or nothing where there is none. */
+    const char *names;
 };
 
 /* What completion offers for a value, and for an operand, is read off its name: the choices of

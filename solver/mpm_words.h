@@ -1,9 +1,11 @@
-/* Words of messages: the name that a misspelt one is nearest to, and lines of a width.
+/* Words of messages: the name that a misspelt one is nearest to, and lines of a width; and lines of
+ * progress on a terminal.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_WORDS_H
 #define MPM_WORDS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -28,5 +30,15 @@ const char *mpm_nearest_hint(const struct mpm_nearest *nearest, char hint[MPM_HI
  * others after `indent` blanks; a line break in the text is one in the lines. Ends with a line
  * break. A word that is longer than a line has one of its own. */
 void mpm_words_wrap(FILE *out, const char *text, size_t column, size_t indent, size_t width);
+
+/* Writes over the line of the terminal `out`: a bar of up to 30 characters, unless the fraction is
+ * below 0, and the text. All of it fits into the terminal's columns, since what is longer goes on
+ * in the next line, where nothing writes over it: the bar becomes shorter or is left out, then the
+ * text is cut. */
+void mpm_progress_draw(FILE *out, double fraction, const char *text);
+/* Takes such a line off. */
+void mpm_progress_clear(FILE *out);
+/* Unless NO_COLOR has a value or TERM is dumb. */
+bool mpm_terminal_has_colours(void);
 
 #endif

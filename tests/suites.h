@@ -123,6 +123,7 @@
     SUITE(score_readers)                                                                           \
     SUITE(score_snapshots)                                                                         \
     SUITE(report_site)                                                                             \
+    SUITE(report_api)                                                                              \
     SUITE(report_history)                                                                          \
     SUITE(decision)                                                                                \
     SUITE(scene_run)                                                                               \

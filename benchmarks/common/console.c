@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "benchmarks/common/console.h"
 
+#include "mpm_words.h"
+
 #include "benchmarks/common/records.h"
 #include "verification/common/record.h"
 #include "verification/common/text.h"
@@ -15,7 +17,7 @@ enum { POINT_WIDTH = 48, QUANTITY_WIDTH = 30 };
 static void clear_progress(const struct bench_console *console)
 {
     if (console->terminal)
-        fprintf(console->out, "\r\033[K");
+        mpm_progress_clear(console->out);
 }
 
 void bench_console_load(struct bench_console *console, const struct bench_records *records)
@@ -82,9 +84,9 @@ void bench_console_progress(struct bench_console *console, size_t done, size_t t
 {
     if (!console->terminal)
         return;
-    clear_progress(console);
-    fprintf(console->out, "  %zu of %zu: %s", done, total, what);
-    fflush(console->out);
+    char *text = g_strdup_printf("  %zu of %zu: %s", done, total, what);
+    mpm_progress_draw(console->out, -1, text);
+    g_free(text);
 }
 
 void bench_console_end(struct bench_console *console, const char *folder)

@@ -80,10 +80,23 @@ static enum mpm_status write_scene(const struct scene *scene, const char *path,
     return status;
 }
 
+/* A line that can be typed again, whatever the name. */
+static void print_next(const char *path, const char *summary)
+{
+    static const char plain[] = G_CSET_A_2_Z G_CSET_a_2_z G_CSET_DIGITS "_-./";
+    char *const quoted = path[strspn(path, plain)] == '\0' ? g_strdup(path) : g_shell_quote(path);
+    (void)printf("%s: %s\nnext: mpm run %s%s\n", path, summary, path[0] == '-' ? "-- " : "",
+                 quoted);
+    g_free(quoted);
+}
+
 enum mpm_status cli_new(struct command *command, struct mpm_error *error)
 {
     const struct cli_arguments *const given = &command->arguments;
     const char *const kind = given->operands != NULL ? given->operands[0] : NULL;
+    if (given->list && given->names)
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "new: allowed: one of --list and --names; see 'mpm new --help'");
     if (given->list || given->names)
         return list(given->names);
     const struct scene *const scene = kind != NULL ? find(kind) : NULL;
@@ -93,7 +106,7 @@ enum mpm_status cli_new(struct command *command, struct mpm_error *error)
         given->output != NULL ? g_strdup(given->output) : g_strconcat(scene->name, ".yaml", NULL);
     const enum mpm_status status = write_scene(scene, path, error);
     if (status == MPM_OK && !given->quiet)
-        (void)printf("%s: %s\nnext: mpm run %s\n", path, scene->summary, path);
+        print_next(path, scene->summary);
     g_free(path);
     return status;
 }

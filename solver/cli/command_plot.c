@@ -5,6 +5,7 @@
 
 #include "base/status.h"
 #include "io/plot/plot.h"
+#include "mpm_file.h"
 
 #include <stdio.h>
 
@@ -21,11 +22,25 @@ enum mpm_status cli_plot(struct command *command, struct mpm_error *error)
         .snapshot = given->snapshot,
         .format = given->format != NULL ? given->format : "svg",
     };
+    if (given->list && given->names)
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "plot: allowed: one of --list and --names; see 'mpm plot --help'");
+    if (given->output != NULL && mpm_path_is_file(given->output))
+        return mpm_error_set(error, MPM_BAD_INPUT,
+                             "plot: %s: is a file; allowed: a folder for the pictures",
+                             given->output);
     if (given->list) {
         char *const fields = mpm_plot_fields();
         (void)fputs(fields, stdout);
         g_free(fields);
         return MPM_OK;
+    }
+    if (given->names) {
+        char *names = NULL;
+        const enum mpm_status found = mpm_plot_names(&options, &names, &cause);
+        (void)fputs(found == MPM_OK ? names : "", stdout);
+        g_free(names);
+        return found == MPM_OK ? MPM_OK : mpm_error_set(error, found, "plot: %s", cause.message);
     }
     if (folder == NULL)
         return mpm_error_set(error, MPM_BAD_INPUT,

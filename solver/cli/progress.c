@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/progress.h"
 
+#include "mpm_words.h"
+
 #include <inttypes.h>
 #include <stdio.h>
 #include <unistd.h>
 
 enum {
-    BAR_WIDTH = 30,
     REDRAW_MICROSECONDS = 100000, /* ten times a second */
     CLOCK_TEXT_SIZE = 32,
 };
@@ -60,15 +61,13 @@ static const char *notes_text(const struct mpm_simulation *simulation, char text
 static void draw_bar(struct cli_progress *progress, double fraction,
                      const struct mpm_simulation *simulation, gint64 now)
 {
-    char clock[CLOCK_TEXT_SIZE], bar[BAR_WIDTH + 1], notes[NOTES_TEXT_SIZE];
-    const int filled = (int)(fraction * BAR_WIDTH);
-    for (int i = 0; i < BAR_WIDTH; i++)
-        bar[i] = i < filled ? '#' : '.';
-    bar[BAR_WIDTH] = '\0';
-    /* the blanks at the end wipe out what a longer line has left */
-    (void)fprintf(stderr, "\r[%s] %3.0f %%  t %.4g  step %" PRIu64 "%s  %s to go    ", bar,
-                  100.0 * fraction, mpm_simulation_time(simulation), progress->step,
-                  notes_text(simulation, notes), time_to_go(progress, fraction, now, clock));
+    char clock[CLOCK_TEXT_SIZE], notes[NOTES_TEXT_SIZE];
+    char *const text =
+        g_strdup_printf("%3.0f %%  t %.4g  step %" PRIu64 "%s  %s to go", 100.0 * fraction,
+                        mpm_simulation_time(simulation), progress->step,
+                        notes_text(simulation, notes), time_to_go(progress, fraction, now, clock));
+    mpm_progress_draw(stderr, fraction, text);
+    g_free(text);
     progress->line_open = true;
     progress->next_draw = now + REDRAW_MICROSECONDS;
 }

@@ -156,6 +156,7 @@ async function testReport(browser, folder, axe, pictures, top) {
   }
   if (top) return test;
   await tab.width(WIDTHS.at(-1));
+  if (fs.existsSync(path.join(folder, "api/index.html"))) await test.load(tab, "api/index.html");
   for (const file of filesOf(folder, ".svg")) await test.labels(tab, file);
   return test;
 }

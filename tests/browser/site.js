@@ -5,14 +5,17 @@
 const fs = require("node:fs");
 const path = require("node:path");
 
-/* Names of the files below `folder` that end so, in order; links to folders are followed. */
+/* Folders whose files are not the report's own: api/ has Doxygen's pages. */
+const OTHERS = ["source", "style", "api"];
+
+/* Names of the report's files below `folder` that end so, in order; links to folders are followed. */
 function filesOf(folder, ending, depth = 3) {
   const found = [];
   const visit = (name, left) => {
     for (const entry of fs.readdirSync(path.join(folder, name)).sort()) {
       const file = path.join(name, entry);
       if (fs.statSync(path.join(folder, file)).isDirectory()) {
-        if (left > 1 && entry !== "source" && entry !== "style") visit(file, left - 1);
+        if (left > 1 && !OTHERS.includes(entry)) visit(file, left - 1);
       } else if (entry.endsWith(ending)) found.push(file);
     }
   };

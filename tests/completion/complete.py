@@ -23,10 +23,18 @@ import time
 
 PROGRAMS = ("mpm", "mpm-verify", "mpm-bench")
 SECONDS = 20
+LEFT = "\x1b[D"  # the key
+SCENE = """format: 1
+geometry: plane_strain
+grid: {cell: [1, 1], cells: [2, 2]}
+time: {end: 1, step: 0.1, steps: 1}
+materials: [{name: rubber, law: neo_hookean, density: 1, bulk: 1, shear: 1}]
+bodies: [{name: block, material: rubber, region: {rectangle: {from: [0, 0], to: [1, 1]}}}]
+"""
 READY = "ready-for-words"
 
-# What is typed before Tab, and what must then be on the screen; folder/, scene.yaml and notes.txt
-# are in the current folder.
+# What is typed before Tab, what must then be on the screen, and what must not be; folder/, scene.yaml
+# and notes.txt are in the current folder, and in "a b" the results of a run.
 TYPED = (
     ("mpm sch", ["mpm schema"]),
     ("mpm run --over", ["--overwrite"]),
@@ -36,6 +44,13 @@ TYPED = (
     ("mpm completion fi", ["completion fish"]),
     ("mpm new ", ["bar", "contact", "penetration"]),
     ("mpm new pene", ["new penetration"]),
+    ("mpm plot --field v", ["von_mises", "viscous_pressure"]),
+    ("mpm plot --field stress.", ["stress.xx", "stress.rr"]),
+    ("mpm plot a\\ b --field v", ["von_mises", "velocity.x", "volume"], ["viscous_pressure"]),
+    ("mpm plot --field v 'a b'" + 6 * LEFT, ["von_mises", "volume"], ["viscous_pressure"], ["bash", "zsh"]),
+    ("mpm plot folder --field v", ["von_mises", "viscous_pressure"]),
+    ("mpm plot a\\ b --field stress.", ["stress.xx"], ["stress.rr", "no-word"]),
+    ("mpm run scene.yaml -ofol", ["folder/"], [], ["zsh"]),
     ("mpm-verify expl", ["explain"]),
     ("mpm-verify run --tier fu", ["full"]),
     ("mpm-verify score fol", ["folder"]),
@@ -106,6 +121,8 @@ def prepare(folder, programs, name):
     (folder / "folder").mkdir()
     (folder / "scene.yaml").write_text("")
     (folder / "notes.txt").write_text("")
+    subprocess.run([f"{programs}/mpm", "run", "-", "--quiet", "-oa b"], cwd=folder, input=SCENE,
+                   text=True, check=True)
     for program in PROGRAMS:
         made = subprocess.run([f"{programs}/{program}", "completion", name], check=True,
                               capture_output=True)
@@ -126,12 +143,17 @@ def main():
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
         prepare(folder, programs, name)
-        for typed, words in TYPED:
+        for typed, words, absent, shells in (row + ([], list(STARTS))[len(row) - 2:] for row in TYPED):
+            if name not in shells:
+                continue
             shell = start(folder, programs, name)
             shell.screen = ""
             shell.type(typed + "\t")
             if not shell.wait(words):
                 faults.append(f"{name}: {typed}<Tab>: no {words} in: {shell.plain()!r}")
+            for word in absent:
+                if word in shell.plain():
+                    faults.append(f"{name}: {typed}<Tab>: {word} in: {shell.plain()!r}")
             shell.end()
     for fault in faults:
         print(fault)

@@ -97,6 +97,13 @@ def of_suite(verify, mpm):
         catalogue(folder, DRAWN)
         run(suite, folder)
 
+    def with_pages(folder):
+        reported(folder)
+        (folder / "api").mkdir()
+        for name in ("index", "other"):
+            (folder / f"api/{name}.html").write_text(
+                '<html><head><meta name="generator" content="Doxygen"></head></html>\n')
+
     def exported(folder):
         catalogue(folder, SCORED)
         run([*export, "bundle"], folder)
@@ -122,6 +129,7 @@ def of_suite(verify, mpm):
                  weight=4, timed=True),
         Scenario("verify-over", suite, prepare=reported, weight=8, timed=True),
         Scenario("report", [verify, "report", "out"], prepare=reported, weight=2),
+        Scenario("report-api", [verify, "report", "out", "--api", "api"], prepare=with_pages),
         Scenario("export", [*export, "out"], prepare=lambda folder: catalogue(folder, SCORED)),
         Scenario("score", score, prepare=with_table),
         Scenario("score-hdf5", score, prepare=with_snapshots),

@@ -1,5 +1,6 @@
-/* HDF5: snapshots that are scored. An input that begins as an HDF5 file does is one; any other is a
- * recipe for a file that HDF5 itself writes, so that what is odd about it reaches the reader.
+/* HDF5: snapshots that are scored, and drawn. An input that begins as an HDF5 file does is one; any
+ * other is a recipe for a file that HDF5 itself writes, so that what is odd about it reaches the
+ * reader.
  *
  * A recipe is a byte for the attribute `time`, then for each dataset SIZE bytes as `enum part` has
  * them.
@@ -7,6 +8,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fuzz/fuzz.h"
 
+#include "io/plot/snapshot_read.h"
 #include "verification/score/results.h"
 
 #include <hdf5.h>
@@ -159,6 +161,23 @@ static void write_recipe(const char *path, const uint8_t *data, size_t size)
     (void)H5Fclose(file);
 }
 
+/* All names, and the picture of each. */
+static void draw_fields(const char *path)
+{
+    struct mpm_error error = {.status = MPM_OK};
+    GString *const list = g_string_new(NULL);
+    if (fuzz_judge(mpm_picture_names(path, list, &error), &error)) {
+        char **const fields = g_strsplit(list->str, "\n", -1);
+        for (char **field = fields; *field != NULL; field++) {
+            struct mpm_picture picture;
+            (void)fuzz_judge(mpm_picture_read(path, *field, &picture, &error), &error);
+            mpm_picture_free(&picture);
+        }
+        g_strfreev(fields);
+    }
+    g_string_free(list, TRUE);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static const uint8_t signature[] = {0x89, 'H', 'D', 'F'};
@@ -170,6 +189,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         write_recipe(path, data, size);
     if (fuzz_judge(results_read(path, &format, &table, &error), &error))
         score_table_close(&table);
+    draw_fields(path);
     return 0;
 }
 

@@ -78,6 +78,7 @@ static struct run_texts texts_of(const struct command_options *given)
         .only = g_strdup(given->only),
         .kernels = g_strdup(given->kernels),
         .baseline = g_strdup(given->baseline),
+        .api = g_strdup(given->api),
         .catalogue = g_strdup(given->catalogue),
     };
 }
@@ -188,6 +189,10 @@ enum mpm_status command_run_given(struct command *command, const struct command_
     struct made_options made;
     enum launcher launcher;
     TRY(read_launcher(given->launcher, &launcher, error));
+    if (given->costs != NULL && launcher != LAUNCHER_SLURM)
+        return failure_set(error, MPM_BAD_INPUT,
+                           "--costs: allowed with --launcher slurm: nothing else is asked for time "
+                           "and memory");
     TRY(run_options_make(command, given, given->output, given->resume || given->status, &made,
                          error));
     const enum mpm_status status =

@@ -2,6 +2,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/cli/commands.h"
+
+#include "mpm_file.h"
 #include "verification/common/command_line.h"
 #include "verification/common/failure.h"
 #include "verification/common/names.h"
@@ -44,6 +46,9 @@ enum mpm_status command_export(struct command *command, struct mpm_error *error)
     struct catalogue *catalogue;
     if (command->options.output == NULL)
         return failure_set(error, MPM_BAD_INPUT, "export: --output DIR is missing");
+    if (mpm_path_is_file(command->options.output))
+        return failure_set(error, MPM_BAD_INPUT, "%s: is a file; --output names a folder",
+                           command->options.output);
     TRY(command_catalogue(command, &catalogue, error));
     const enum mpm_status status = export_cases(command, catalogue, error);
     catalogue_free(catalogue);

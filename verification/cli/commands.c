@@ -12,6 +12,7 @@
 #include "verification/report/report_stored.h"
 
 #include "mpm_commands.h"
+#include "mpm_file.h"
 
 #include <glib.h>
 #include <math.h>
@@ -28,7 +29,7 @@ enum {
     TAKES_CHANGE = 16,
     TAKES_CASE = 32,
     TAKES_NAME = 64,
-    TAKES_BASELINE = 128,
+    TAKES_BESIDE = 128,
     TAKES_ADDITIONS = 256,
     TAKES_RESUME = 512,
     TAKES_LAUNCHER = 1024,
@@ -60,7 +61,11 @@ static enum mpm_status command_report(struct command *command, struct mpm_error 
         .mutants = command->options.mutants,
         .headroom = (const char *const *)command->options.headroom,
         .history = (const char *const *)command->options.history,
+        .api = command->options.api,
     };
+    if (command->options.catalogue != NULL && !mpm_path_is_folder(command->options.catalogue))
+        return failure_set(error, MPM_BAD_INPUT, "--catalogue %s: no such folder of a catalogue",
+                           command->options.catalogue);
     TRY(report_check(folder, error)); /* before anything is written there */
     TRY(report_store(folder, &additions, error));
     char *reports = resources_reports(command->argv[0]);
@@ -93,10 +98,10 @@ static const struct mpm_command_entry commands[] = {
     {"list", TAKES_TAG | TAKES_CATALOGUE, "", "the cases, their variants and checks", NULL,
      command_list, NULL},
     {"run",
-     TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME |
+     TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BESIDE | TAKES_RESUME |
          TAKES_LAUNCHER | TAKES_STATUS | TAKES_VERBOSE,
      "", "run, judge, and write results and reports", NULL, command_run, NULL},
-    {"tasks", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BASELINE | TAKES_RESUME, "",
+    {"tasks", TAKES_SELECTION | TAKES_OUTPUT | TAKES_CATALOGUE | TAKES_BESIDE | TAKES_RESUME, "",
      "begin a run for any other engine: print a command line for each program that has no result",
      NULL, command_tasks, NULL},
     {"task", 0, "DIR CASE/VARIANT",
@@ -113,10 +118,10 @@ static const struct mpm_command_entry commands[] = {
      "what a check states, its band and why, last values, the command to reproduce it",
      "CHECK is CASE[/CHECK[/VARIANT]], with globs. Of a CASE alone all is printed.",
      command_explain, "list --names"},
-    {"report", TAKES_BASELINE | TAKES_ADDITIONS | TAKES_CATALOGUE, "DIR",
+    {"report", TAKES_BESIDE | TAKES_ADDITIONS | TAKES_CATALOGUE, "DIR",
      "render the reports of DIR again from its result lines",
-     "What --baseline, --mutants, --headroom and --history name is stored in DIR, and in each "
-     "report of it from then on.",
+     "What --baseline, --mutants, --headroom, --history and --api name is stored in DIR, and in "
+     "each report of it from then on.",
      command_report, NULL},
     {"headroom", 0, "DIR",
      "whether every check of DIR is within 1.5 to 100 times its deviation from its band's end, "
@@ -180,8 +185,10 @@ static const struct mpm_option options[] = {
      .kind = MPM_OPTION_FLAG,
      .offset = offsetof(struct command_options, verbose),
      .help = "print a line for each check, not for each case"},
-    OPTION(TAKES_BASELINE, "baseline", baseline, TEXT, "DIR",
+    OPTION(TAKES_BESIDE, "baseline", baseline, TEXT, "DIR",
            "folder of an earlier run: what changed since then, in the report"),
+    OPTION(TAKES_BESIDE, "api", api, TEXT, "DIR",
+           "pages of the library's headers (make docs; build/docs/html), for the report"),
     OPTION(TAKES_ADDITIONS, "mutants", mutants, TEXT, "FILE",
            "mutants.json of a run of planted bugs, for a page of the report"),
     OPTION(TAKES_ADDITIONS, "headroom", headroom, LIST, "NAME=DIR",

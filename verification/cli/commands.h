@@ -32,7 +32,7 @@ struct command_options {
     char *case_globs, *variant_globs, *tags; /* joined by commas where several are given */
     char *tier, *only, *kernels, *output, *catalogue, *change;
     char *name; /* of a solver */
-    char *baseline, *mutants, **headroom, **history;
+    char *baseline, *api, *mutants, **headroom, **history;
     char *launcher, *costs;
     char *refine, *timeout, **vary, **settings, **measures; /* of a study */
     int jobs;

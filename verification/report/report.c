@@ -7,6 +7,7 @@
 #include "verification/common/output.h"
 #include "verification/common/record.h"
 #include "verification/pages/report_style.h"
+#include "verification/report/api_pages.h"
 #include "verification/report/case_figure.h"
 #include "verification/report/case_pictures.h"
 #include "verification/report/comparison_plot.h"
@@ -160,6 +161,8 @@ static enum mpm_status render(const char *folder, const char *place,
                               const struct report_stored *stored, struct mpm_error *error)
 {
     struct report_style style;
+    bool api;
+    TRY(api_pages_find(folder, false, &api, error));
     TRY(report_style_read(sources->reports, &style, error));
     struct report_site site = {
         .records = records,
@@ -169,6 +172,7 @@ static enum mpm_status render(const char *folder, const char *place,
         .headroom = stored->headroom,
         .history = stored->history,
         .benchmarks = has_benchmarks(place),
+        .api = api,
         .folder = folder,
         .compares = any_comparison(json_object_get(records->run, "cases")),
         .files = g_array_new(FALSE, TRUE, sizeof(struct report_file)),

@@ -38,6 +38,7 @@ void report_site_links(GString *html, const struct report_site *site, const char
         {"history.html", "", "History"},
         {"mutants.html", "", "Mutants"},
         {"../bench/index.html", "", "Benchmarks"},
+        {"api/index.html", "", "API"},
         {"glossary.html", "", "Glossary"},
     };
     text_markup(html,
@@ -50,7 +51,8 @@ void report_site_links(GString *html, const struct report_site *site, const char
             (strcmp(pages[i].place, "#comparisons") == 0 && !site->compares) ||
             (strcmp(pages[i].file, "decision.html") == 0 && !site->compares) ||
             (strcmp(pages[i].file, "history.html") == 0 && site->history == NULL) ||
-            (strcmp(pages[i].file, "mutants.html") == 0 && site->mutants == NULL))
+            (strcmp(pages[i].file, "mutants.html") == 0 && site->mutants == NULL) ||
+            (strcmp(pages[i].file, "api/index.html") == 0 && !site->api))
             continue;
         text_markup(html, "<li><a href=\"%s%s%s\"", root, pages[i].file, pages[i].place);
         g_string_append(

@@ -18,6 +18,7 @@ struct report_site {
     const json_t *headroom; /* other builds' runs; NULL if none are stored */
     const json_t *history;  /* earlier runs; NULL if none are stored */
     bool benchmarks;        /* ../bench/index.html is there */
+    bool api;               /* api/index.html is there */
     bool compares;          /* a case declares a comparison */
     GArray *files;          /* struct report_file; written when all are made */
 };

@@ -10,6 +10,7 @@
 #include "verification/common/result_path.h"
 #include "verification/records/changes.h"
 #include "verification/records/history.h"
+#include "verification/report/api_pages.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -68,6 +69,37 @@ static json_t *build_record(const char *name, const struct records *records)
     return build;
 }
 
+static bool is_named(const json_t *builds, const char *name)
+{
+    for (size_t i = 0; i < json_array_size(builds); i++)
+        if (strcmp(record_text(json_array_get(builds, i), "name"), name) == 0)
+            return true;
+    return false;
+}
+
+/* The run of NAME=DIR as one more build. */
+static enum mpm_status add_build(json_t *builds, const char *entry, struct mpm_error *error)
+{
+    const char *is = strchr(entry, '=');
+    struct records records;
+    if (is == NULL || is == entry || is[1] == '\0')
+        return failure_set(error, MPM_BAD_INPUT, "--headroom \"%s\": allowed is NAME=DIR", entry);
+    char *name = g_strndup(entry, (gsize)(is - entry));
+    enum mpm_status status =
+        is_named(builds, name)
+            ? failure_set(error, MPM_BAD_INPUT,
+                          "--headroom \"%s\": \"%s\" is given twice: allowed is a name of its own "
+                          "for each build",
+                          entry, name)
+            : records_read(is + 1, &records, error);
+    if (status == MPM_OK) {
+        json_array_append_new(builds, build_record(name, &records));
+        records_clear(&records);
+    }
+    g_free(name);
+    return status;
+}
+
 static enum mpm_status keep_headroom(const char *folder, const char *const *entries,
                                      struct mpm_error *error)
 {
@@ -75,22 +107,8 @@ static enum mpm_status keep_headroom(const char *folder, const char *const *entr
     enum mpm_status status = MPM_OK;
     json_object_set_new(object, "format", json_integer(1));
     json_object_set_new(object, "builds", builds);
-    for (; status == MPM_OK && *entries != NULL; entries++) {
-        const char *is = strchr(*entries, '=');
-        struct records records;
-        if (is == NULL || is == *entries || is[1] == '\0') {
-            status = failure_set(error, MPM_BAD_INPUT, "--headroom \"%s\": allowed is NAME=DIR",
-                                 *entries);
-            break;
-        }
-        status = records_read(is + 1, &records, error);
-        if (status == MPM_OK) {
-            char *name = g_strndup(*entries, (gsize)(is - *entries));
-            json_array_append_new(builds, build_record(name, &records));
-            g_free(name);
-            records_clear(&records);
-        }
-    }
+    for (; status == MPM_OK && *entries != NULL; entries++)
+        status = add_build(builds, *entries, error);
     if (status == MPM_OK)
         return write_json(folder, headroom_name, object, error);
     json_decref(object);
@@ -165,6 +183,10 @@ static enum mpm_status keep_mutants(const char *folder, const char *path, struct
 enum mpm_status report_store(const char *folder, const struct report_additions *additions,
                              struct mpm_error *error)
 {
+    bool there;
+    if (additions->api != NULL)
+        TRY(api_pages_check(additions->api, error));
+    TRY(api_pages_find(folder, additions->api != NULL, &there, error)); /* before any is written */
     if (additions->baseline != NULL)
         TRY(keep_changes(folder, additions->baseline, error));
     if (additions->headroom != NULL)
@@ -176,7 +198,7 @@ enum mpm_status report_store(const char *folder, const struct report_additions *
         TRY(history_gather(folder, additions->history, &history, error));
         TRY(write_json(folder, history_name, history, error));
     }
-    return MPM_OK;
+    return additions->api != NULL ? api_pages_copy(additions->api, folder, error) : MPM_OK;
 }
 
 static enum mpm_status read_stored(const char *folder, const char *name,

@@ -5,6 +5,7 @@
  *     headroom.json   the values of the same checks in runs of other builds
  *     history.json    the values of earlier runs
  *     mutants.json    which spoiled solvers the tests and the suite noticed
+ *     api/            pages of the library's headers (api_pages.h)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef VERIFICATION_REPORT_REPORT_STORED_H
@@ -19,10 +20,12 @@ struct report_additions {
     const char *mutants;         /* a file */
     const char *const *headroom; /* NAME=DIR, ended by NULL */
     const char *const *history;  /* folders of earlier runs, oldest first, ended by NULL */
+    const char *api;             /* Doxygen's html folder */
 };
 
 /* Works them out for the run in `folder` and writes them there. MPM_BAD_INPUT: a folder without
- * results, an entry that is not NAME=DIR, a file of mutants that is not as described. */
+ * results, an entry that is not NAME=DIR, a file of mutants that is not as described, a folder that
+ * is not Doxygen's. */
 enum mpm_status report_store(const char *folder, const struct report_additions *additions,
                              struct mpm_error *error);
 

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/console.h"
 
+#include "mpm_words.h"
 #include "verification/common/text.h"
 #include "verification/records/check_text.h"
 #include "verification/suite/records_make.h"
@@ -10,7 +11,7 @@
 #include <stdarg.h>
 #include <string.h>
 
-enum { STATUS_WIDTH = 15, BAR_WIDTH = 30 };
+enum { STATUS_WIDTH = 15 };
 
 static int text_width(const char *text)
 {
@@ -76,30 +77,25 @@ void console_clear(struct console *console)
 static void clear_progress(const struct console *console)
 {
     if (console->terminal)
-        fprintf(console->out, "\r\033[K");
+        mpm_progress_clear(console->out);
 }
 
 void console_progress(const struct console *console, size_t done, size_t total)
 {
     if (!console->terminal || done == total)
         return;
-    const size_t filled = BAR_WIDTH * done / MAX(1, total);
-    clear_progress(console);
-    fputc('[', console->out);
-    for (size_t i = 0; i < BAR_WIDTH; i++)
-        fputc(i < filled ? '#' : '-', console->out);
-    fprintf(console->out, "] %zu of %zu programs", done, total);
-    if (console->cases != NULL) { /* NULL while Slurm works */
-        char *cases = console_cases_text(console->cases);
-        fprintf(console->out, ", %s", cases);
-        g_free(cases);
-    }
-    fflush(console->out);
+    /* NULL while Slurm works */
+    char *cases = console->cases != NULL ? console_cases_text(console->cases) : NULL;
+    char *text = g_strdup_printf("%zu of %zu programs%s%s", done, total, cases != NULL ? ", " : "",
+                                 cases != NULL ? cases : "");
+    mpm_progress_draw(console->out, (double)done / (double)MAX(1, total), text);
+    g_free(text);
+    g_free(cases);
 }
 
 static const char *colour(const struct console *console, enum verdict_status status)
 {
-    if (!console->terminal || g_getenv("NO_COLOR") != NULL)
+    if (!console->terminal || !mpm_terminal_has_colours())
         return "";
     if (verdict_is_red(status))
         return "\033[1;31m";

@@ -3,6 +3,7 @@
  *     checks.jsonl   measurements.jsonl   index.html   summary.md   junit.xml   results.tap
  *     limits.html    headroom.html   mutants.html   glossary.html   table-*.csv
  *     changes.json   headroom.json   mutants.json   (see reports/README.md)
+ *     api/           *.html, *.css, *.png: pages of the library's headers
  *     style/         style.gp, comparison.gp, report.css, page.html, table.js, glossary.md
  *     cases/<case>/  index.html, figure-<name>.svg, picture-*.svg, and per variant
  *                    rows-*.jsonl, log-*.txt, data-*-<name>.dat; picture-<variant>.json of the

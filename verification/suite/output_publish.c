@@ -21,7 +21,7 @@ static const char *const top_names[] = {
     "results.tap",  "limits.html",        "headroom.html", "mutants.html", "glossary.html",
     "history.html", "decision.html",      "checks.html",   "changes.json", "headroom.json",
     "mutants.json", "history.json",       "table-*.csv"};
-static const char *const folder_names_ours[] = {"cases", "style"};
+static const char *const folder_names_ours[] = {"cases", "style", "api"};
 static const char *const style_names[] = {"style.gp",  "comparison.gp", "report.css",
                                           "page.html", "table.js",      "glossary.md",
                                           "filter.js", "equations.json"};
@@ -29,6 +29,7 @@ static const char *const case_names[] = {"rows-*.jsonl", "log-*.txt",       "dat
                                          "figure-*.svg", "picture-*.json",  "picture-*.svg",
                                          "index.html",   "comparison.html", "comparison.csv",
                                          "checks.csv",   "runs.csv"};
+static const char *const api_names[] = {"*.html", "*.css", "*.png"};
 static const char *const source_names[] = {"*.gp", "*.dat", "*.csv"};
 
 static bool any_matches(const char *const *globs, size_t count, const char *name)
@@ -157,6 +158,7 @@ static enum mpm_status remove_leftovers(const struct output_folder *output, char
         g_hash_table_add(leftovers.kept, *kept);
     remove_matching(&leftovers, "", top_names, G_N_ELEMENTS(top_names));
     remove_matching(&leftovers, "style", style_names, G_N_ELEMENTS(style_names));
+    remove_matching(&leftovers, "api", api_names, G_N_ELEMENTS(api_names));
     for (unsigned i = 0; names != NULL && i < names->len; i++) {
         char *below = g_build_filename("cases", names->pdata[i], NULL);
         char *source = g_build_filename(below, "source", NULL);

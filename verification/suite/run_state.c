@@ -25,6 +25,7 @@ static const struct {
     {"only", "--only", offsetof(struct run_texts, only), true, NULL},
     {"kernels", "--kernels", offsetof(struct run_texts, kernels), false, "auto"},
     {"baseline", "--baseline", offsetof(struct run_texts, baseline), true, NULL},
+    {"api", "--api", offsetof(struct run_texts, api), true, NULL},
     {"catalogue", "--catalogue", offsetof(struct run_texts, catalogue), true, NULL},
 };
 

@@ -10,7 +10,7 @@
 
 /* Texts as on the command line; NULL: not given. Each is freed with g_free. */
 struct run_texts {
-    char *tier, *case_globs, *variant_globs, *only, *kernels, *baseline, *catalogue;
+    char *tier, *case_globs, *variant_globs, *only, *kernels, *baseline, *api, *catalogue;
 };
 
 /* As they are kept: paths from the root on, and what not giving one means. */

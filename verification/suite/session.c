@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verification/suite/session.h"
 
+#include "verification/report/api_pages.h"
 #include "verification/suite/schedule.h"
 #include "verification/suite/task_key.h"
 
@@ -42,6 +43,8 @@ enum mpm_status session_open(const struct run_options *options, struct program_t
     *session =
         (struct session){.options = options, .console = console, .start = g_get_monotonic_time()};
     TRY(check_baseline(options, error));
+    if (options->texts.api != NULL)
+        TRY(api_pages_check(options->texts.api, error));
     TRY(catalogue_read(options->texts.catalogue, programs, &session->catalogue, error));
     const enum mpm_status status = make_plan(session, error);
     if (status != MPM_OK) {

@@ -50,7 +50,8 @@ static enum mpm_status write_report(const struct session *session, const struct 
                                     struct mpm_error *error)
 {
     const struct run_options *options = session->options;
-    const struct report_additions additions = {.baseline = options->texts.baseline};
+    const struct report_additions additions = {.baseline = options->texts.baseline,
+                                               .api = options->texts.api};
     TRY(records_write(session->output.stage, records, error));
     TRY(report_store(session->output.stage, &additions, error));
     TRY(run_state_add_seconds(&session->output, seconds_of(session), error));

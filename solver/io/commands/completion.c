@@ -25,6 +25,33 @@ static enum value_kind kind_of(const char *value, const char *names)
     return g_strv_contains(files, value) ? VALUE_FILE : VALUE_ANY;
 }
 
+/* The command that prints names is to know the folder that is on the command line? */
+static bool wants_folder(const char *names)
+{
+    return names != NULL && g_str_has_suffix(names, " DIR");
+}
+
+/* Is there such a command in the line? */
+static bool any_wants_folder(const struct mpm_command_line *line)
+{
+    bool any = false;
+    for (size_t i = 0; i < line->option_count; i++)
+        any = any || wants_folder(line->options[i].names);
+    return any;
+}
+
+/* The call of a command that prints names, in any of the shells; `folder` is how the shell calls
+ * the function of that name, `otherwise` its word for what follows after a failure. */
+static void print_names_call(const struct mpm_command_line *line, const char *list,
+                             const char *folder, const char *otherwise)
+{
+    const int length = (int)(strlen(list) - strlen(wants_folder(list) ? " DIR" : ""));
+    if (wants_folder(list))
+        (void)fprintf(line->out, "%s %.*s -- %s 2> /dev/null%s ", line->program, length, list,
+                      folder, otherwise);
+    (void)fprintf(line->out, "%s %.*s 2> /dev/null", line->program, length, list);
+}
+
 /* "a|b" as "a b"; g_free. */
 static char *choices_of(const char *value)
 {
@@ -69,7 +96,9 @@ static void bash_value(const struct mpm_command_line *line, const char *value, c
     char *const words = choices_of(value);
     switch (kind_of(value, list)) {
     case VALUE_NAME:
-        (void)fprintf(out, "_touchstone_words \"$(%s %s 2> /dev/null)\"", line->program, list);
+        (void)fputs("_touchstone_words \"$(", out);
+        print_names_call(line, list, "\"$(_touchstone_folder)\"", " ||");
+        (void)fputs(")\"", out);
         break;
     case VALUE_CHOICE:
         (void)fprintf(out, "_touchstone_words '%s'", words);
@@ -122,6 +151,15 @@ static void bash_options(const struct mpm_command_line *line, const struct mpm_c
     g_strfreev(operands);
 }
 
+/* The first folder after the command that is no option's value; its word is as typed. */
+static const char bash_folder[] =
+    "    _touchstone_folder()\n    {\n"
+    "        local i name\n"
+    "        for ((i = 2; i < ${#COMP_WORDS[@]}; i++)); do\n"
+    "            name=${COMP_WORDS[i]//[\\\\\\'\\\"]/}\n"
+    "            [[ ${COMP_WORDS[i - 1]} != -* && -d $name ]] && { printf %s \"$name\"; return; }\n"
+    "        done\n    }\n";
+
 static void print_bash(const struct mpm_command_line *line)
 {
     char *const function = function_name(line), *const names = command_names(line);
@@ -134,7 +172,7 @@ static void print_bash(const struct mpm_command_line *line)
         "    _touchstone_names() { compopt -o filenames; mapfile -t COMPREPLY < <(compgen \"$1\" "
         "-- "
         "\"$word\"); }\n"
-        "    COMPREPLY=()\n"
+        "%s    COMPREPLY=()\n"
         "    # --option=value is three words\n"
         "    [ \"$before\" = = ] && before=${COMP_WORDS[COMP_CWORD - 2]}\n"
         "    [ \"$word\" = = ] && word=\n"
@@ -142,7 +180,7 @@ static void print_bash(const struct mpm_command_line *line)
         "        _touchstone_words '%s --help --version'\n"
         "        return\n    fi\n"
         "    case ${COMP_WORDS[1]}:$before in\n",
-        line->program, line->program, function, names);
+        line->program, line->program, function, any_wants_folder(line) ? bash_folder : "", names);
     for (size_t i = 0; i < line->command_count; i++)
         bash_option_values(line, &line->commands[i]);
     (void)fputs("    esac\n    case ${COMP_WORDS[1]}:$word in\n", line->out);
@@ -182,7 +220,9 @@ static void zsh_value(const struct mpm_command_line *line, const char *value, co
     char *const words = choices_of(value), *const name = zsh_text(value);
     switch (kind_of(value, list)) {
     case VALUE_NAME:
-        (void)fprintf(out, ":%s: compadd - $(%s %s 2> /dev/null)", name, line->program, list);
+        (void)fprintf(out, ":%s: compadd - $(", name);
+        print_names_call(line, list, "\"$(_touchstone_folder)\"", " ||");
+        (void)fputs(")", out);
         break;
     case VALUE_CHOICE:
         (void)fprintf(out, ":%s:(%s)", name, words);
@@ -209,7 +249,7 @@ static void zsh_option(const struct mpm_command_line *line, const struct mpm_opt
     char *const help = zsh_text(option->help);
     (void)fprintf(out, " \\\n            '%s", repeats ? "*" : "");
     if (short_form)
-        (void)fprintf(out, "-%c", option->letter);
+        (void)fprintf(out, "-%c%s", option->letter, option->value != NULL ? "+" : "");
     else
         (void)fprintf(out, "--%s%s", option->name, option->value != NULL ? "=" : "");
     (void)fprintf(out, "[%s]", help);
@@ -246,13 +286,20 @@ static void zsh_describe(FILE *out, const char *name, const char *summary)
     g_free(text);
 }
 
+static const char zsh_folder[] = "_touchstone_folder() {\n    local i\n"
+                                 "    for (( i = 2; i <= $#words; i++ )); do\n"
+                                 "        [[ $words[i-1] != -* && -d ${(Q)words[i]} ]] && { print "
+                                 "-rn -- ${(Q)words[i]}; return }\n"
+                                 "    done\n}\n";
+
 static void print_zsh(const struct mpm_command_line *line)
 {
     char *const shells = choices_of(mpm_completion_shells), *const names = command_names(line);
     (void)fprintf(line->out,
-                  "#compdef %s\n# Completion of %s for zsh, made by '%s completion zsh'.\n"
+                  "#compdef %s\n# Completion of %s for zsh, made by '%s completion zsh'.\n%s"
                   "_%s() {\n    if (( CURRENT == 2 )); then\n        local -a commands=(\n",
-                  line->program, line->program, line->program, line->program);
+                  line->program, line->program, line->program,
+                  any_wants_folder(line) ? zsh_folder : "", line->program);
     for (size_t i = 0; i < line->command_count; i++)
         zsh_describe(line->out, line->commands[i].name, line->commands[i].summary);
     for (size_t i = 0; i < MPM_HELP_OWN_COUNT; i++)
@@ -283,7 +330,9 @@ static void fish_value(const struct mpm_command_line *line, const char *value, c
     char *const words = choices_of(value);
     switch (kind_of(value, list)) {
     case VALUE_NAME:
-        (void)fprintf(out, " -x -a '(%s %s 2> /dev/null)'", line->program, list);
+        (void)fputs(" -x -a '(", out);
+        print_names_call(line, list, "(__touchstone_folder)", "; or");
+        (void)fputs(")'", out);
         break;
     case VALUE_CHOICE:
         (void)fprintf(out, " -x -a '%s'", words);
@@ -340,12 +389,20 @@ static void fish_command(const struct mpm_command_line *line, const struct mpm_c
     g_strfreev(operands);
 }
 
+static const char fish_folder[] =
+    "function __touchstone_folder\n    set -l words (commandline -opc)\n    set -l before -\n"
+    "    for word in $words[2..-1]\n"
+    "        if not string match -q -- '-*' $before; and test -d \"$word\"\n"
+    "            echo $word\n            return\n        end\n"
+    "        set before $word\n    end\nend\n";
+
 static void print_fish(const struct mpm_command_line *line)
 {
     char *const shells = choices_of(mpm_completion_shells), *const names = command_names(line);
-    (void)fprintf(line->out,
-                  "# Completion of %s for fish, made by '%s completion fish'.\ncomplete -c %s -f\n",
-                  line->program, line->program, line->program);
+    (void)fprintf(
+        line->out,
+        "# Completion of %s for fish, made by '%s completion fish'.\n%scomplete -c %s -f\n",
+        line->program, line->program, any_wants_folder(line) ? fish_folder : "", line->program);
     for (size_t i = 0; i < line->command_count; i++)
         fish_name(line, line->commands[i].name, line->commands[i].summary);
     for (size_t i = 0; i < MPM_HELP_OWN_COUNT; i++)

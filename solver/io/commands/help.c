@@ -25,6 +25,20 @@ static void print_row(FILE *out, const char *name, const char *text, size_t colu
     mpm_words_wrap(out, text, column, column, MPM_HELP_WIDTH);
 }
 
+/* Where a letter has a value: the ways to write it. */
+static void print_values(const struct mpm_command_line *line)
+{
+    for (size_t i = 0; i < line->option_count; i++) {
+        const struct mpm_option *const option = &line->options[i];
+        if (option->letter == 0 || option->value == NULL)
+            continue;
+        (void)fprintf(line->out, "Values: --%s %s, --%s=%s, -%c %s or -%c%s.\n", option->name,
+                      option->value, option->name, option->value, option->letter, option->value,
+                      option->letter, option->value);
+        return;
+    }
+}
+
 void mpm_help_program(const struct mpm_command_line *line)
 {
     (void)fprintf(line->out, "Usage: %s COMMAND [OPTION...] [OPERAND...]\n\n", line->program);
@@ -44,8 +58,10 @@ void mpm_help_program(const struct mpm_command_line *line)
     }
     (void)fprintf(line->out,
                   "\n'%s COMMAND --help' lists the options of a command,\n"
-                  "'%s --version' prints the version.\n\n",
+                  "'%s --version' prints the version.\n",
                   line->program, line->program);
+    print_values(line);
+    (void)fputc('\n', line->out);
     mpm_words_wrap(line->out, line->notes, 0, 0, MPM_HELP_WIDTH);
 }
 

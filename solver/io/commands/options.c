@@ -126,6 +126,11 @@ static gboolean take(const char *name, const char *text, void *data, GError **fa
         return FALSE;
     }
     *given = true;
+    if (option->value != NULL && text[0] == '\0' && strchr(option->value, '|') == NULL) {
+        g_set_error(failure, G_OPTION_ERROR, G_OPTION_ERROR_BAD_VALUE, "--%s: %s is empty",
+                    option->name, option->value);
+        return FALSE;
+    }
     return check_choice(option, text, failure) &&
            store(option, name, text, (char *)reading->line->values + option->offset, failure);
 }
@@ -162,33 +167,71 @@ static enum mpm_status refuse_missing(const struct reading *reading,
                          reading->entry->name);
 }
 
-/* What GLib has no words for, or words of the locale: an option that there is not, a flag with a
- * value, an option at the end without one. */
-static enum mpm_status check_options(const struct reading *reading, int argc, char **argv,
-                                     struct mpm_error *error)
+/* An option by its name, with or without "=VALUE". *awaits: its value is the next word. */
+static enum mpm_status check_long(const struct reading *reading, const char *word, bool *awaits,
+                                  struct mpm_error *error)
 {
-    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
-        if (argv[i][0] != '-' || argv[i][1] == '\0' || strcmp(argv[i], "-h") == 0 ||
-            strcmp(argv[i], "--help") == 0)
-            continue;
-        char *const name = g_strndup(argv[i], strcspn(argv[i], "="));
+    char *const name = g_strndup(word, strcspn(word, "="));
+    const struct mpm_option *const option = find_option(reading, name);
+    const bool with_value = strchr(word, '=') != NULL, is_help = strcmp(name, "--help") == 0;
+    enum mpm_status status = MPM_OK;
+    if (option == NULL && !is_help)
+        status = refuse_unknown(reading, word, name, error);
+    else if ((option == NULL || option->value == NULL) && with_value)
+        status = refuse_option(reading, "no value is allowed:", word, "", error);
+    *awaits = option != NULL && option->value != NULL && !with_value;
+    g_free(name);
+    return status;
+}
+
+/* Letters: flags, each a word of its own afterwards, and at the end one with its value, which may
+ * be attached: -qoDIR is -q -o DIR, and so is -qo=DIR. */
+static enum mpm_status split_letters(const struct reading *reading, const char *word,
+                                     GPtrArray *words, bool *awaits, struct mpm_error *error)
+{
+    for (const char *letter = word + 1; *letter != '\0'; letter++) {
+        char *const name = g_strdup_printf("-%c", *letter);
         const struct mpm_option *const option = find_option(reading, name);
-        const bool with_value = strchr(argv[i], '=') != NULL;
-        const bool takes_next = option != NULL && option->value != NULL && !with_value &&
-                                (argv[i][1] == '-' || argv[i][2] == '\0');
-        enum mpm_status status = MPM_OK;
-        if (option == NULL)
-            status = refuse_unknown(reading, argv[i], name, error);
-        else if (option->value == NULL && with_value)
-            status = refuse_option(reading, "no value is allowed:", argv[i], "", error);
-        else if (takes_next && i + 1 == argc)
-            status = refuse_missing(reading, option, error);
-        g_free(name);
-        if (status != MPM_OK)
-            return status;
-        i += takes_next;
+        g_ptr_array_add(words, name);
+        if (option == NULL && *letter != 'h')
+            return refuse_unknown(reading, word, word, error);
+        if (option != NULL && option->value != NULL) {
+            *awaits = letter[1] == '\0';
+            if (!*awaits)
+                g_ptr_array_add(words, g_strdup(letter + 1 + (letter[1] == '=')));
+            return MPM_OK;
+        }
+        if (letter[1] == '=')
+            return refuse_option(reading, "no value is allowed:", word, "", error);
     }
     return MPM_OK;
+}
+
+/* The words for GLib, with the letters apart. What it has no words for, or words of the locale, is
+ * refused here: an option that there is not, a flag with a value, an option at the end without
+ * one. */
+static enum mpm_status split_options(const struct reading *reading, int argc, char **argv,
+                                     GPtrArray *words, struct mpm_error *error)
+{
+    bool options = true, awaits = false;
+    enum mpm_status status = MPM_OK;
+    for (int i = 0; status == MPM_OK && i < argc; i++) {
+        const bool is_value = awaits;
+        awaits = false;
+        options = options && (is_value || strcmp(argv[i], "--") != 0);
+        if (i == 0 || is_value || !options || argv[i][0] != '-' || argv[i][1] == '\0') {
+            g_ptr_array_add(words, g_strdup(argv[i]));
+        } else if (argv[i][1] == '-') {
+            g_ptr_array_add(words, g_strdup(argv[i]));
+            status = check_long(reading, argv[i], &awaits, error);
+        } else {
+            status = split_letters(reading, argv[i], words, &awaits, error);
+        }
+        if (status == MPM_OK && awaits && i + 1 == argc)
+            status =
+                refuse_missing(reading, find_option(reading, words->pdata[words->len - 1]), error);
+    }
+    return status;
 }
 
 /* GLib requires a pointer to an object. */
@@ -262,10 +305,14 @@ enum mpm_status mpm_options_read(const struct mpm_command_line *line,
 {
     struct reading reading = {
         .line = line, .entry = entry, .given = g_new0(bool, line->option_count)};
-    enum mpm_status status = check_options(&reading, argc, argv, error);
+    GPtrArray *const words = g_ptr_array_new_with_free_func(g_free);
+    enum mpm_status status = split_options(&reading, argc, argv, words, error);
+    const int count = (int)words->len;
+    g_ptr_array_add(words, NULL);
     if (status == MPM_OK)
-        status = parse(&reading, argc, argv, error);
+        status = parse(&reading, count, (char **)words->pdata, error);
     *help = reading.help;
+    g_ptr_array_unref(words);
     g_free(reading.given);
     return status;
 }

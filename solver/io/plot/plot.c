@@ -4,6 +4,7 @@
 #include "base/status.h"
 #include "io/plot/snapshot_read.h"
 #include "io/results/series.h"
+#include "io/results/snapshot.h"
 #include "mpm_file.h"
 #include "mpm_gnuplot.h"
 
@@ -357,6 +358,16 @@ static enum mpm_status draw_history(const struct mpm_plot_options *options, char
 
 /* ---------------------------------------------------------------------- both */
 
+/* A field that snapshots may have; NULL: it is computed here anyway. */
+static const struct mpm_field_info *own_field(enum mpm_field field)
+{
+    const struct mpm_field_info *const info = mpm_field_describe(field);
+    for (size_t k = 0; k < mpm_derived_field_count; k++)
+        if (strcmp(info->name, mpm_derived_fields[k].name) == 0)
+            return NULL;
+    return info;
+}
+
 char *mpm_plot_fields(void)
 {
     GString *const list = g_string_new(NULL);
@@ -364,12 +375,50 @@ char *mpm_plot_fields(void)
         g_string_append_printf(list, "%-22s %s\n", mpm_derived_fields[k].name,
                                mpm_derived_fields[k].description);
     for (int k = 0; k < MPM_FIELD_COUNT; k++) {
-        const struct mpm_field_info *const info = mpm_field_describe((enum mpm_field)k);
+        const struct mpm_field_info *const info = own_field((enum mpm_field)k);
+        if (info == NULL)
+            continue;
         char *const name = g_strconcat(info->name, info->components > 1 ? ".COMPONENT" : "", NULL);
         g_string_append_printf(list, "%-22s %s\n", name, info->description);
         g_free(name);
     }
     return g_string_free(list, FALSE);
+}
+
+/* Components by the names of both kinds of coordinates. */
+static void add_all_names(GString *list)
+{
+    for (size_t k = 0; k < mpm_derived_field_count; k++)
+        g_string_append_printf(list, "%s\n", mpm_derived_fields[k].name);
+    for (int k = 0; k < MPM_FIELD_COUNT; k++) {
+        const struct mpm_field_info *const info = own_field((enum mpm_field)k);
+        if (info != NULL && info->components == 1)
+            g_string_append_printf(list, "%s\n", info->name);
+        if (info == NULL || info->components == 1)
+            continue;
+        mpm_component_names(info->name, mpm_snapshot_components(MPM_PLANE_STRAIN, info->components),
+                            list);
+        mpm_component_names(info->name, mpm_snapshot_components(MPM_AXISYMMETRIC, info->components),
+                            list);
+    }
+}
+
+enum mpm_status mpm_plot_names(const struct mpm_plot_options *options, char **names,
+                               struct mpm_error *error)
+{
+    char *name = NULL;
+    GString *const list = g_string_new(NULL);
+    enum mpm_status status = MPM_OK;
+    if (options->folder == NULL) {
+        add_all_names(list);
+    } else if ((status = find_snapshot(options, &name, error)) == MPM_OK) {
+        char *const path = g_build_filename(options->folder, name, NULL);
+        status = mpm_picture_names(path, list, error);
+        g_free(path);
+        g_free(name);
+    }
+    *names = g_string_free(list, status != MPM_OK);
+    return status;
 }
 
 enum mpm_status mpm_plot(const struct mpm_plot_options *options, char *pictures[MPM_PLOT_COUNT],

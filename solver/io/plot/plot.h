@@ -27,4 +27,9 @@ enum mpm_status mpm_plot(const struct mpm_plot_options *options, char *pictures[
  * g_free. */
 char *mpm_plot_fields(void);
 
+/* The names of fields as `field` has them, a line each, for shells: those that the snapshot of the
+ * folder has, or all if `folder` is NULL; g_free. MPM_BAD_INPUT: no such snapshot. */
+enum mpm_status mpm_plot_names(const struct mpm_plot_options *options, char **names,
+                               struct mpm_error *error);
+
 #endif

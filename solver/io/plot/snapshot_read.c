@@ -299,11 +299,80 @@ static enum mpm_status read_groups(const struct reading *reading, const char *fi
                : refuse(reading, "no time");
 }
 
-enum mpm_status mpm_picture_read(const char *path, const char *field, struct mpm_picture *picture,
-                                 struct mpm_error *error)
+/* -------------------------------------------------------------------- names */
+
+static bool is_plain(const char *name)
+{
+    return name[0] != '\0' &&
+           strspn(name, G_CSET_A_2_Z G_CSET_a_2_z G_CSET_DIGITS "_") == strlen(name);
+}
+
+void mpm_component_names(const char *field, const char *components, GString *names)
+{
+    char **const list = g_strsplit(components, ", ", -1);
+    for (char **component = list; *component != NULL; component++) {
+        const char *const name = strcmp(*component, "θθ") == 0 ? "tt" : *component;
+        char *const whole = g_strdup_printf("%s.%s\n", field, name);
+        if (is_plain(name) && strstr(names->str, whole) == NULL)
+            g_string_append(names, whole);
+        g_free(whole);
+    }
+    g_strfreev(list);
+}
+
+/* Of H5Literate: a field of numbers, one or several for each particle. */
+static herr_t add_names(hid_t particles, const char *name, const H5L_info_t *link, void *data)
+{
+    hsize_t size[2] = {0, 1};
+    (void)link;
+    const hid_t dataset = is_plain(name) ? H5Dopen2(particles, name, H5P_DEFAULT) : -1;
+    if (dataset < 0)
+        return 0;
+    const hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
+    const int rank = H5Sget_simple_extent_ndims(space);
+    const H5T_class_t class = H5Tget_class(type);
+    char *const components = read_text(dataset, "components");
+    if (rank == 1 || rank == 2)
+        (void)H5Sget_simple_extent_dims(space, size, NULL);
+    if (size[0] > 0 && size[1] > 1 && (class == H5T_FLOAT || class == H5T_INTEGER))
+        mpm_component_names(name, components, data);
+    else if (size[0] > 0 && size[1] == 1 && (class == H5T_FLOAT || class == H5T_INTEGER))
+        g_string_append_printf(data, "%s\n", name);
+    g_free(components);
+    (void)H5Tclose(type);
+    (void)H5Sclose(space);
+    (void)H5Dclose(dataset);
+    return 0;
+}
+
+static enum mpm_status read_names(const struct reading *reading, void *data)
+{
+    for (size_t k = 0; k < mpm_derived_field_count; k++)
+        if (H5Lexists(reading->particles, mpm_derived_fields[k].field, H5P_DEFAULT) > 0)
+            g_string_append_printf(data, "%s\n", mpm_derived_fields[k].name);
+    return H5Literate(reading->particles, H5_INDEX_NAME, H5_ITER_INC, NULL, add_names, data) >= 0
+               ? MPM_OK
+               : refuse(reading, "no fields");
+}
+
+/* --------------------------------------------------------------------- file */
+
+struct wanted {
+    const char *field;
+    struct mpm_picture *picture;
+};
+
+static enum mpm_status read_picture(const struct reading *reading, void *data)
+{
+    const struct wanted *const wanted = data;
+    return read_groups(reading, wanted->field, wanted->picture);
+}
+
+static enum mpm_status
+read_snapshot(const char *path, enum mpm_status (*take)(const struct reading *reading, void *data),
+              void *data, struct mpm_error *error)
 {
     struct mpm_hdf5_sink sink = {.file = mpm_file_open(path, O_RDONLY)};
-    *picture = (struct mpm_picture){.count = 0};
     if (sink.file < 0)
         return mpm_file_unread(path, errno, NULL, error);
     const struct mpm_hdf5_messages messages = mpm_hdf5_silence();
@@ -312,8 +381,8 @@ enum mpm_status mpm_picture_read(const char *path, const char *field, struct mpm
     struct reading reading = {.path = path, .error = error};
     reading.mpm = file < 0 ? -1 : H5Gopen2(file, "/mpm", H5P_DEFAULT);
     reading.particles = reading.mpm < 0 ? -1 : H5Gopen2(reading.mpm, "particles", H5P_DEFAULT);
-    enum mpm_status status = reading.particles < 0 ? refuse(&reading, "no snapshot")
-                                                   : read_groups(&reading, field, picture);
+    enum mpm_status status =
+        reading.particles < 0 ? refuse(&reading, "no snapshot") : take(&reading, data);
     (void)H5Gclose(reading.particles);
     (void)H5Gclose(reading.mpm);
     (void)H5Fclose(file);
@@ -323,6 +392,19 @@ enum mpm_status mpm_picture_read(const char *path, const char *field, struct mpm
         status = mpm_file_unread(path, sink.error_number, NULL, error);
     (void)mpm_file_close(sink.file);
     return status;
+}
+
+enum mpm_status mpm_picture_read(const char *path, const char *field, struct mpm_picture *picture,
+                                 struct mpm_error *error)
+{
+    *picture = (struct mpm_picture){.count = 0};
+    struct wanted wanted = {field, picture};
+    return read_snapshot(path, read_picture, &wanted, error);
+}
+
+enum mpm_status mpm_picture_names(const char *path, GString *names, struct mpm_error *error)
+{
+    return read_snapshot(path, read_names, names, error);
 }
 
 void mpm_picture_free(struct mpm_picture *picture)

@@ -21,6 +21,12 @@ struct mpm_picture {
  * the message has those allowed. The caller frees what there is, also on failure. */
 enum mpm_status mpm_picture_read(const char *path, const char *field, struct mpm_picture *picture,
                                  struct mpm_error *error);
+/* Adds the names that mpm_picture_read takes of the snapshot at `path`, a line each: fields or
+ * their components, and what is computed from them. Names that are more than letters, digits and
+ * '_' are left out: shells read the list. MPM_BAD_INPUT: no snapshot. */
+enum mpm_status mpm_picture_names(const char *path, GString *names, struct mpm_error *error);
+/* A line for each component in "xx, yy" that has none yet, after the name of the field. */
+void mpm_component_names(const char *field, const char *components, GString *names);
 void mpm_picture_free(struct mpm_picture *picture);
 
 /* What is computed from fields of snapshots: its name, the field that it is of, and how. */

@@ -47,7 +47,7 @@ static const char *const position_against_velocity[] = {
     [MPM_MIDPOINT] = "position and velocity are at one instant",
 };
 
-static const char *components_text(enum mpm_geometry geometry, size_t components)
+const char *mpm_snapshot_components(enum mpm_geometry geometry, size_t components)
 {
     static const struct {
         size_t components;
@@ -158,7 +158,7 @@ static void write_described(struct mpm_snapshot *snapshot, hid_t parent,
     mpm_snapshot_text(snapshot, dataset, "unit", unit);
     mpm_snapshot_text(snapshot, dataset, "description", info->description);
     mpm_snapshot_text(snapshot, dataset, "components",
-                      components_text(snapshot->scene->geometry, info->components));
+                      mpm_snapshot_components(snapshot->scene->geometry, info->components));
     mpm_snapshot_checked(snapshot, H5Dclose(dataset));
 }
 
@@ -178,7 +178,7 @@ static void write_components(struct mpm_snapshot *snapshot, hid_t particles, hid
 {
     const struct mpm_field_info *const whole = mpm_field_describe(field);
     char **const names =
-        g_strsplit(components_text(snapshot->scene->geometry, whole->components), ", ", -1);
+        g_strsplit(mpm_snapshot_components(snapshot->scene->geometry, whole->components), ", ", -1);
     for (size_t k = 0; k < whole->components; k++) {
         const char *const last = strcmp(names[k], "θθ") == 0 ? "tt" : names[k];
         char *const name = g_strdup_printf("%s_%s", whole->name, last);

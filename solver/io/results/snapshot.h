@@ -29,6 +29,9 @@
 
 #include "model/scene.h"
 
+/* The names of a field's components, in order: "xx, yy, zz, xy". */
+const char *mpm_snapshot_components(enum mpm_geometry geometry, size_t components);
+
 /* Number of doubles that mpm_snapshot_write needs as working space: data is written in
  * blocks, so that it does not grow with the number of particles beyond 0.7 MB. */
 size_t mpm_snapshot_work_size(const struct mpm_scene *scene, size_t particle_count);

@@ -9,6 +9,7 @@
 #include "support/skip.h"
 
 #include <glib.h>
+#include <glib/gstdio.h>
 #include <string.h>
 
 static struct {
@@ -87,18 +88,29 @@ static const struct bad_line {
     {{"run", "SCENE", "--threads"}, "run: --threads: N is missing; see"},
     {{"run", "SCENE", "--set"}, "run: --set: PATH=VALUE is missing; see"},
     {{"run", ""}, "run: SCENE is empty; see 'mpm run --help'"},
+    {{"new", "--list", "--names"}, "new: allowed: one of --list and --names; see"},
     {{"new", ""}, "new: KIND is empty; see 'mpm new --help'"},
     {{"help", "run", "more"}, "help: unexpected argument \"more\"; see 'mpm --help'"},
     {{"completion", "bash", "more"}, "completion: unexpected argument \"more\""},
     {{"--version", "more"}, "--version: unexpected argument \"more\""},
     {{"--help", "more"}, "--help: unexpected argument \"more\""},
-    {{"run", "SCENE", "--output", ""}, "empty"},
+    {{"run", "SCENE", "--output", ""}, "run: --output: DIR is empty; see 'mpm run --help'"},
+    {{"run", "SCENE", "--output="}, "run: --output: DIR is empty; see"},
+    {{"run", "SCENE", "-o", ""}, "run: --output: DIR is empty; see"},
+    {{"run", "SCENE", "-o="}, "run: --output: DIR is empty; see"},
+    {{"run", "SCENE", "--set", ""}, "run: --set: PATH=VALUE is empty; see"},
+    {{"run", "SCENE", "-qo"}, "run: --output: DIR is missing; see"},
+    {{"run", "SCENE", "-qx", "-oOUT"}, "run: unknown option -qx; see"},
+    {{"run", "SCENE", "-oOUT", "-oOUT"}, "run: --output is given twice"},
+    {{"run", "SCENE", "-q=1"}, "run: no value is allowed: -q=1; see"},
+    {{"run", "SCENE", "--help=1"}, "run: no value is allowed: --help=1; see"},
+    {{"run", "--", "-oOUT"}, "-oOUT: No such file"},
     {{"run", "SCENE", "--output", "SCENE"}, "is a file"},
     {{"run", "SCENE", "--threads", "0"}, "'0' is not a whole number from 1 to 1024"},
     {{"run", "SCENE", "--threads", "-1"}, "'-1' is not a whole number"},
     {{"run", "SCENE", "--threads", "1.5"}, "'1.5' is not a whole number"},
     {{"run", "SCENE", "--threads", "two"}, "'two' is not a whole number"},
-    {{"run", "SCENE", "--threads", ""}, "'' is not a whole number"},
+    {{"run", "SCENE", "--threads", ""}, "--threads: N is empty"},
     {{"run", "SCENE", "--threads", "1025"}, "'1025' is not a whole number"},
     {{"run", "SCENE", "--threads", "99999999999999999999"}, "is not a whole number"},
     {{"run", "SCENE", "--resume", "--output", "OUT"}, "there is no checkpoint in"},
@@ -341,6 +353,27 @@ START_TEST(any_number_of_threads_and_any_simd_give_the_same_bytes)
 }
 END_TEST
 
+/* The folder that a value attached to its letter names, alone, after flags and with '='. */
+START_TEST(a_short_option_may_have_its_value_attached)
+{
+    static const char *const forms[][3] = {{"-q", "-oA"},   {"-qoA", NULL}, {"-q", "-o=A"},
+                                           {"-qo=A", NULL}, {"-qo", "A"},   {"-q", "-o-A", "-A"}};
+    char *const before = g_get_current_dir(), *const there = test_folder_create();
+    ck_assert_int_eq(g_chdir(there), 0);
+    for (size_t k = 0; k < G_N_ELEMENTS(forms); k++) {
+        const char *const name = forms[k][2] != NULL ? forms[k][2] : "A";
+        struct test_command command =
+            test_command_run("mpm", "new", "bar", forms[k][0], forms[k][1], NULL);
+        ck_assert_msg(command.exit_status == 0, "%zu: %s", k, command.errors);
+        ck_assert_msg(g_unlink(name) == 0, "%zu: no %s", k, name);
+        test_command_free(&command);
+    }
+    ck_assert_int_eq(g_chdir(before), 0);
+    test_folder_remove(there);
+    g_free(before);
+}
+END_TEST
+
 START_TEST(a_run_that_blows_up_ends_with_3_and_says_where)
 {
     struct test_command command =
@@ -455,6 +488,7 @@ Suite *suite_cli(void)
     tcase_add_test(runs, the_run_record_names_the_kernels_that_were_asked_for);
     tcase_add_test(runs, results_go_by_default_to_a_folder_named_after_the_scene);
     tcase_add_test(runs, any_number_of_threads_and_any_simd_give_the_same_bytes);
+    tcase_add_test(runs, a_short_option_may_have_its_value_attached);
     tcase_add_test(runs, a_run_that_blows_up_ends_with_3_and_says_where);
     tcase_add_test(runs, a_courant_number_beyond_the_measured_limit_is_warned_of_and_taken);
     tcase_add_test(runs, no_infinity_is_printed_for_a_run_that_has_no_end);

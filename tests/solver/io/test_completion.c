@@ -1,5 +1,5 @@
-/* Completion of command lines in real shells, and JSON Schema in a real validator: both by scripts
- * of Python.
+/* Completion of command lines in real shells, lines of progress on terminals of all widths, and
+ * JSON Schema in a real validator: by scripts of Python.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
@@ -90,6 +90,17 @@ START_TEST(no_other_shell_is_completed)
 }
 END_TEST
 
+START_TEST(progress_fits_into_any_terminal_and_colours_can_be_off)
+{
+    if (!has_module("pty"))
+        TEST_SKIP("needs /usr/bin/python3");
+    struct test_command command = test_command_run(
+        "/usr/bin/python3", "-B", "tests/terminal/progress.py", g_getenv("MPM_BIN"), NULL);
+    ck_assert_msg(command.exit_status == 0, "%s%s", command.output, command.errors);
+    test_command_free(&command);
+}
+END_TEST
+
 START_TEST(json_schema_accepts_all_scenes_and_refuses_what_it_can_express)
 {
     if (!has_module("jsonschema, yaml"))
@@ -112,6 +123,7 @@ Suite *suite_completion(void)
     tcase_add_loop_test(completion, completion_has_every_option_of_every_command, 0,
                         (int)G_N_ELEMENTS(programs));
     tcase_add_test(completion, no_other_shell_is_completed);
+    tcase_add_test(completion, progress_fits_into_any_terminal_and_colours_can_be_off);
     tcase_add_test(completion, json_schema_accepts_all_scenes_and_refuses_what_it_can_express);
     tcase_set_timeout(completion, 120);
     suite_add_tcase(suite, completion);

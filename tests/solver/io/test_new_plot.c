@@ -8,6 +8,8 @@
 #include "support/skip.h"
 
 #include <glib.h>
+#include <glib/gstdio.h>
+#include <hdf5.h>
 #include <string.h>
 
 static bool has_gnuplot(void)
@@ -288,6 +290,8 @@ static const struct {
     {{"--field", "temperatur"}, "; did you mean temperature?\n"},
     {{"--snapshot", "77"}, "--snapshot 77: "},
     {{"--snapshot", "last"}, "--snapshot last: "},
+    {{"--list", "--names"}, "plot: allowed: one of --list and --names; see"},
+    {{"--output", "/proc/version"}, "plot: /proc/version: is a file; allowed: a folder"},
     {{"--format", "pdf"}, "--format \"pdf\"; allowed: svg, png"},
 };
 
@@ -300,6 +304,68 @@ START_TEST(a_mistake_is_reported_with_what_is_allowed)
     g_free(said);
     g_free(results);
     test_folder_remove(folder);
+}
+END_TEST
+
+/* Each name can be drawn; a field of the folder's file that a shell would act on is left out. */
+START_TEST(names_are_those_that_the_snapshot_has)
+{
+    char *folder, *const results = results_of_block(&folder);
+    char *const path = test_folder_path(results, "particles-000000.hdf");
+    const hsize_t size[1] = {16};
+    const hid_t file = H5Fopen(path, H5F_ACC_RDWR, H5P_DEFAULT);
+    const hid_t space = H5Screate_simple(1, size, NULL);
+    static const char *const added[] = {"$(touch mark)", "own", "two words"};
+    for (size_t k = 0; k < G_N_ELEMENTS(added); k++) {
+        char *const name = g_strconcat("/mpm/particles/", added[k], NULL);
+        const hid_t dataset =
+            H5Dcreate2(file, name, H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+        ck_assert_int_ge(H5Dclose(dataset), 0);
+        g_free(name);
+    }
+    ck_assert(H5Sclose(space) >= 0 && H5Fclose(file) >= 0);
+    char *const own = RUN(0, "plot", "--names", "--snapshot", "0", results);
+    ck_assert_msg(strcmp(own, "von_mises\npressure\nspeed\nrelative_volume\nbody\n"
+                              "deformation_gradient.xx\ndeformation_gradient.xy\n"
+                              "deformation_gradient.yx\ndeformation_gradient.yy\n"
+                              "deformation_gradient.zz\nid\nmass\nown\nposition.x\nposition.y\n"
+                              "stress.xx\nstress.yy\nstress.zz\nstress.xy\n"
+                              "velocity.x\nvelocity.y\nvolume\n") == 0,
+                  "%s", own);
+    char *const all = RUN(0, "plot", "--names");
+    char **const names = g_strsplit(all, "\n", -1);
+    ck_assert(g_strv_contains((const char *const *)names, "stress.rr") &&
+              g_strv_contains((const char *const *)names, "stress.tt") &&
+              g_strv_contains((const char *const *)names, "temperature"));
+    for (char **name = names; *name != NULL; name++)
+        for (char **other = name + 1; *other != NULL; other++)
+            ck_assert_msg(strcmp(*name, *other) != 0, "%s twice", *name);
+    g_strfreev(names);
+    g_free(all);
+    g_free(own);
+    g_free(RUN(2, "plot", "--names", folder)); /* no snapshots there */
+    g_free(path);
+    g_free(results);
+    test_folder_remove(folder);
+}
+END_TEST
+
+START_TEST(a_name_that_needs_quotes_has_them_in_what_comes_next)
+{
+    static const char *const table[][2] = {{"plain.yaml", "next: mpm run plain.yaml\n"},
+                                           {"it's a.yaml", "next: mpm run 'it'\\''s a.yaml'\n"},
+                                           {"$(x).yaml", "next: mpm run '$(x).yaml'\n"},
+                                           {"-x.yaml", "next: mpm run -- -x.yaml\n"}};
+    char *const before = g_get_current_dir(), *const there = test_folder_create();
+    ck_assert_int_eq(g_chdir(there), 0);
+    for (size_t k = 0; k < G_N_ELEMENTS(table); k++) {
+        char *const said = RUN(0, "new", "bar", "--output", table[k][0]);
+        ck_assert_msg(g_str_has_suffix(said, table[k][1]), "%s", said);
+        g_free(said);
+    }
+    ck_assert_int_eq(g_chdir(before), 0);
+    test_folder_remove(there);
+    g_free(before);
 }
 END_TEST
 
@@ -342,6 +408,8 @@ Suite *suite_new_plot(void)
     tcase_add_test(plots, a_picture_can_be_png);
     tcase_add_loop_test(plots, a_mistake_is_reported_with_what_is_allowed, 0,
                         (int)G_N_ELEMENTS(mistakes));
+    tcase_add_test(plots, names_are_those_that_the_snapshot_has);
+    tcase_add_test(plots, a_name_that_needs_quotes_has_them_in_what_comes_next);
     tcase_add_test(plots, what_is_no_folder_of_results_is_refused);
     suite_add_tcase(suite, plots);
     return suite;

@@ -437,6 +437,10 @@ START_TEST(additions_that_cannot_be_are_refused)
     } table[] = {
         {"mpm-verify report @ --headroom nothing", "--headroom \"nothing\": allowed is NAME=DIR"},
         {"mpm-verify report @ --headroom a=@/none", "none/checks.jsonl: cannot be read"},
+        {"mpm-verify report @ --headroom a=@ --headroom a=.", "\"a\" is given twice"},
+        {"mpm-verify report @ --catalogue @/none", "none: no such folder of a catalogue"},
+        {"mpm-verify run --output @ --costs @", "--costs: allowed with --launcher slurm"},
+        {"mpm-verify export --output @/checks.jsonl", "is a file; --output names a folder"},
         {"mpm-verify report @ --baseline @/none", "none/checks.jsonl: cannot be read"},
         {"mpm-verify report @ --mutants @/none", "none"},
         {"mpm-verify run --output @ --baseline @", "is the output folder"},

@@ -93,6 +93,147 @@ START_TEST(a_leapfrog_agrees_where_it_states_its_times)
 }
 END_TEST
 
+/* E3 as the field's standard code writes it with MUSL and a Courant number of 0.6: positions half a
+ * step of 0.6 ms late, the frequency 0.5 % low on 16 cells; the start is the given velocity. */
+static void write_late(struct score_table *table, double slow, double late, bool stated)
+{
+    struct vibrating_bar own = bar;
+    own.density /= (1.0 - slow) * (1.0 - slow);
+    own.amplitude /= 1.0 - slow;
+    double *times = stated ? score_table_add(table, SCORE_POSITION_TIME) : NULL;
+    double *displacement = score_table_add(table, SCORE_DISPLACEMENT_X);
+    double *velocity = score_table_add(table, SCORE_VELOCITY_X);
+    double *stress = score_table_add(table, SCORE_STRESS_XX);
+    for (size_t p = 0; p < table->rows; p++) {
+        const double time = score_table_value(table, SCORE_TIME, p);
+        const double start = score_table_value(table, SCORE_INITIAL_X, p);
+        displacement[p] = vibrating_bar_displacement(&own, start, time - late);
+        velocity[p] = vibrating_bar_velocity(&own, start, time);
+        stress[p] = own.modulus * vibrating_bar_strain(&own, start, time);
+        if (stated)
+            times[p] = time - late;
+    }
+}
+
+START_TEST(a_good_method_passes_e3_by_its_time_level_and_a_slow_one_fails)
+{
+    static const struct {
+        double slow, late; /* of the frequency; ms */
+        bool stated;
+        double displacement; /* %, to 0.3: a quarter of the cubic's error and the digits */
+        bool passes;
+    } rows[] = {
+        {0.005, 0.0, false, 96.0, true}, /* what 16 cells cost */
+        {0.005, 0.2, false, 92.3, true}, /* half a step at Courant number 0.4: allowed for */
+        {0.005, 0.3, false, 90.4, false}, {0.005, 0.3, true, 96.0, true},
+        {0.005, 0.4, false, 88.5, false}, {0.005, 0.4, true, 96.0, true},
+        {0.03, 0.0, false, 75.9, false},  {0.03, 0.3, false, 70.9, false},
+        {0.03, 0.3, true, 76.2, false}, /* no time level makes up for a low frequency */
+        {0.03, -0.6, false, 84.8, false}, {0.03, -0.6, true, 75.3, false},
+    };
+    struct bundle bundle;
+    test_bundle_open("E3", &bundle);
+    for (size_t k = 0; k < G_N_ELEMENTS(rows); k++) {
+        struct score_table table;
+        double values[3];
+        bool passes = true;
+        copy_of_reference(&bundle, &table);
+        write_late(&table, rows[k].slow, rows[k].late, rows[k].stated);
+        agreements(&bundle, &table, values);
+        for (size_t i = 0; i < bundle.criterion_count; i++)
+            passes = passes && values[i] >= bundle.criteria[i].check.band.low &&
+                     values[i] <= bundle.criteria[i].check.band.high;
+        ck_assert_msg(fabs(values[0] - rows[k].displacement) < 0.3, "%zu: %g", k, values[0]);
+        ck_assert_msg(passes == rows[k].passes, "%zu: %g, %g, %g", k, values[0], values[1],
+                      values[2]);
+        score_table_close(&table);
+    }
+    bundle_close(&bundle);
+}
+END_TEST
+
+/* What a good method of second order has at the resolution that the bundle names, with a Courant
+ * number of 0.4: half a step, and errors that add up with it or not, from `why` of the criterion.
+ */
+static const struct {
+    const char *bundle, *criterion;
+    double half_step, along, beside; /* unit of time; % */
+} sums[] = {
+    {"C2", "stress", 0.05, 0, 12},
+    {"C2", "velocity", 0.05, 0.5, 0},
+    {"D5", "velocity", 0.005, 0.1, 0},
+    {"E3", "displacement", 0.2, 3.6, 0},
+    {"E3", "velocity", 0.2, 3.6, 0},
+    {"E3", "stress", 0.2, 3.6, 4.9},
+    {"H1", "temperature", 0.028, 0.4, 0},
+    {"H2", "temperature", 1e-4, 0.13, 0},
+    {"H5", "temperature", 1e-4, 1.8, 0},
+    {"M1", "displacement", 5.4e-5, 0.5, 0},
+    {"M1", "velocity", 5.4e-5, 0.5, 0},
+    {"M1", "stress", 5.4e-5, 0.5, 4.9},
+    {"M2", "displacement", 2.2e-5, 0.14, 0},
+    {"M2", "velocity", 2.2e-5, 0.5, 0},
+    {"M2", "stress", 2.2e-5, 0, 8.6},
+    {"M3", "displacement", 5.4e-3, 1.1, 0},
+    {"M3", "velocity", 5.4e-3, 1.1, 0},
+    {"M3", "stress", 5.4e-3, 0, 7.4},
+    {"M4", "displacement", 4e-5, 0.5, 0},
+    {"M4", "velocity", 4e-5, 0.5, 0},
+    {"M4", "stress", 4e-5, 0.5, 4.9},
+    {"P3", "displacement", 0.014, 0.6, 0},
+    {"P3", "stress", 0.014, 0, 12},
+    {"R1b", "volume", 3e-4, 1, 0},
+    {"R1b", "stress", 3e-4, 2.1, 0},
+    {"R1b", "displacement", 3e-4, 0.5, 0},
+    {"W1", "stress", 0.2, 0, 13},
+    {"W1", "level", 0.2, 0.6, 0},
+    {"W2", "displacement", 0.043, 0.75, 0},
+    {"W2", "velocity", 0.043, 0.75, 0},
+};
+
+/* The error of a method with the sum, as %; the late reading is in proportion. */
+static double sum_error(size_t k, const json_t *criterion)
+{
+    double by, agreement;
+    ck_assert_int_eq(json_unpack((json_t *)criterion, "{s: {s: F, s: F}}", "late", "by", &by,
+                                 "agreement", &agreement),
+                     0);
+    return hypot(fabs(100.0 - agreement) * sums[k].half_step / by + sums[k].along, sums[k].beside);
+}
+
+/* Every criterion that depends on time is in the table, so that a new one gets its sum too. */
+START_TEST(half_a_step_and_the_errors_of_a_good_method_fit_into_every_band)
+{
+    size_t timed = 0;
+    GDir *folder = g_dir_open(test_bundles, 0, NULL);
+    for (const char *name = g_dir_read_name(folder); name != NULL; name = g_dir_read_name(folder)) {
+        char *path = g_build_filename(test_bundles, name, "problem.json", NULL);
+        json_t *problem = json_load_file(path, 0, NULL);
+        size_t i;
+        const json_t *criterion;
+        json_array_foreach(json_object_get(problem, "criteria"), i, criterion)
+        {
+            if (json_object_get(criterion, "late") == NULL)
+                continue;
+            const char *id = json_string_value(json_object_get(criterion, "criterion"));
+            size_t k = 0;
+            while (k < G_N_ELEMENTS(sums) &&
+                   (strcmp(sums[k].bundle, name) != 0 || strcmp(sums[k].criterion, id) != 0))
+                k++;
+            ck_assert_msg(k < G_N_ELEMENTS(sums), "%s/%s is not in the table", name, id);
+            const double band = 100.0 - json_number_value(json_object_get(criterion, "low"));
+            ck_assert_msg(sum_error(k, criterion) < band, "%s/%s: %g of %g", name, id,
+                          sum_error(k, criterion), band);
+            timed++;
+        }
+        json_decref(problem);
+        g_free(path);
+    }
+    g_dir_close(folder);
+    ck_assert_uint_eq(timed, G_N_ELEMENTS(sums));
+}
+END_TEST
+
 /* At rest they mean nothing; else the time of the row changes nothing. */
 START_TEST(the_time_of_the_row_may_be_stated_too)
 {
@@ -223,6 +364,8 @@ Suite *suite_score_times(void)
     TCase *times = tcase_create("times");
     tcase_add_unchecked_fixture(times, test_bundles_export, test_bundles_remove);
     tcase_add_test(times, a_leapfrog_agrees_where_it_states_its_times);
+    tcase_add_test(times, a_good_method_passes_e3_by_its_time_level_and_a_slow_one_fails);
+    tcase_add_test(times, half_a_step_and_the_errors_of_a_good_method_fit_into_every_band);
     tcase_add_loop_test(times, the_time_of_the_row_may_be_stated_too, 0, 5);
     tcase_add_test(times, times_that_nothing_is_known_of_are_refused);
     tcase_add_test(times, files_state_times_by_columns_and_attributes);
