@@ -50,6 +50,9 @@ static void assert_headings(const char *path)
     ck_assert_msg(strstr(question, "\n\n") == NULL, "%s: the problem begins with no question",
                   path);
     g_free(question);
+    const char *const answer = strstr(problem, "\n\n**The answer.** ");
+    ck_assert_msg(answer != NULL && answer < strstr(begin, "\n## "),
+                  "%s: the problem has no answer, a paragraph with \"**The answer.**\"", path);
     g_strfreev(lines);
     g_free(text);
 }

@@ -1,11 +1,12 @@
 /* The walk-throughs of docs/walkthroughs: their commands run, what they show of the output is
- * there, their pictures come out again, what they quote of a scene is in its file, and the values
- * of theory are computed here.
+ * there, their pictures come out again, what they quote of a scene is in its file, the values of
+ * theory are computed here, and numbers of their prose come from these.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "suites.h"
 #include "support/document.h"
 #include "support/folder.h"
+#include "support/prose.h"
 #include "support/skip.h"
 
 #include "verification/exact/heat/heat.h"
@@ -71,11 +72,32 @@ static const struct page {
     size_t commands, shown, rows, pictures;
 } pages[] = {
     {"basics", NULL, 7, 9, 0, 1},
-    {"two-disks", two_disks, 8, 16, 4, 1},
+    {"two-disks", two_disks, 9, 19, 4, 1},
     {"bar-on-wall", bar_on_wall, 10, 17, 5, 1},
     {"edge-crack", edge_crack, 8, 8, 4, 1},
     {"heated-cylinder", heated_cylinder, 9, 15, 4, 1},
-    {"rod-on-plate", rod_on_plate, 6, 13, 3, 1},
+    {"rod-on-plate", rod_on_plate, 7, 15, 3, 1},
+};
+
+/* Numbers of the prose that no output has. */
+static const struct test_prose_claim claims[] = {
+    {"basics", "19 %", "100*(1.65298/1.39193 - 1)", "edge-crack"},
+    {"basics", "3.6 %", "100*(1.44202/1.39193 - 1)", "edge-crack"},
+    {"basics", "7.8e-3", "7800*1e3/1e9", NULL},
+    {"basics", "7.8e-9", "7800/1e3/1e9", NULL},
+    {"basics", "5190", "sqrt(210e9/7800)", NULL},
+    {"two-disks", "0.7 %", "100*(1 - (0.666841 + 0.0246131)/0.696222)", NULL},
+    {"two-disks", "0.92", "2*0.333277/0.3476 - 1", NULL},
+    {"two-disks", "5.5 %", "100*(0.742901/(0.176/4*4^2) - 1)", NULL},
+    {"two-disks", "0.704", "0.176/4*4^2", NULL},
+    {"bar-on-wall", "1.2", "(40 + 20)/50", NULL},
+    {"edge-crack", "0.5 %", NULL, "Tada, Paris and Irwin, sec. 2.11"},
+    {"edge-crack", "0.752", NULL, "Tada, Paris and Irwin, sec. 2.11"},
+    {"edge-crack", "2.02", NULL, "Tada, Paris and Irwin, sec. 2.11"},
+    {"edge-crack", "0.37", NULL, "Tada, Paris and Irwin, sec. 2.11"},
+    {"edge-crack", "19 %", "100*(1.65298/1.39193 - 1)", NULL},
+    {"heated-cylinder", "0.01394", "0.05/(7.8e-3*460)", NULL},
+    {"heated-cylinder", "0.5 %", "100*(68.2466/67.9299 - 1)", NULL},
 };
 
 /* --------------------------------------------------------------------- one page */
@@ -241,6 +263,55 @@ START_TEST(the_walkthrough_does_what_it_says)
 }
 END_TEST
 
+START_TEST(numbers_of_the_prose_come_from_what_is_shown)
+{
+    char *fault =
+        test_prose_judge("docs/walkthroughs", pages[_i].name, claims, G_N_ELEMENTS(claims));
+    ck_assert_msg(fault == NULL, "%s", fault);
+}
+END_TEST
+
+START_TEST(a_number_of_the_prose_that_comes_from_nowhere_is_found)
+{
+    static const struct {
+        const char *prose;
+        struct test_prose_claim claim;
+        const char *fault; /* NULL: none */
+    } pages_of_test[] = {
+        {"It is 1.23 mm, not `9.9`, [here](a-7.7.md).", {"p", "", NULL, NULL}, NULL},
+        {"It is 1.24 mm.", {"p", "", NULL, NULL}, "p: 1.24 comes from no output, scene or claim"},
+        {"It has 0.5 and 4 parts.", {"p", "", NULL, NULL}, NULL},
+        {"It is 4 % more.", {"p", "", NULL, NULL}, "p: 4 % comes from no output, scene or claim"},
+        {"It is 3 % more.", {"p", "", NULL, NULL}, NULL},
+        {"It is 23 % more.", {"p", "23 %", "100*(1.2345 - 1)", NULL}, NULL},
+        {"It is 24 % more.",
+         {"p", "24 %", "100*(1.2345 - 1)", NULL},
+         "p: 24 %: 100*(1.2345 - 1) is 23.45"},
+        {"It is 23 % more.",
+         {"p", "23 %", "100*(1.234 - 1)", NULL},
+         "p: 23 %: 1.234 of 100*(1.234 - 1) is shown nowhere"},
+        {"It is 8.31.", {"p", "8.31", NULL, "a handbook"}, NULL},
+        {"It is 8.31.", {"p", "8.31", NULL, NULL}, "p: 8.31: literature has no name"},
+        {"It is gone.", {"p", "23 %", "23", NULL}, "p: the claim 23 % is not in the prose"},
+    };
+    char *folder = test_folder_create();
+    g_free(test_folder_write(folder, "p.yaml", "length: 0.5\n"));
+    for (size_t k = 0; k < G_N_ELEMENTS(pages_of_test); k++) {
+        char *text = g_strdup_printf("%s\n\n    width 1.2345\n\n## Compared with theory\n\n"
+                                     "| a | 1 | 2 | +3.1 %% |\n",
+                                     pages_of_test[k].prose);
+        g_free(test_folder_write(folder, "p.md", text));
+        const unsigned count = pages_of_test[k].claim.number[0] == '\0' ? 0 : 1;
+        char *fault = test_prose_judge(folder, "p", &pages_of_test[k].claim, count);
+        ck_assert_msg(g_strcmp0(fault, pages_of_test[k].fault) == 0, "%s: %s",
+                      pages_of_test[k].prose, fault);
+        g_free(fault);
+        g_free(text);
+    }
+    test_folder_remove(folder);
+}
+END_TEST
+
 START_TEST(pictures_are_compared)
 {
     static const char one[] = "<desc>5</desc><text x=\"10\">0.5</text><path d='M1,2 L30,4'/>";
@@ -266,6 +337,9 @@ Suite *suite_walkthroughs(void)
     Suite *suite = suite_create("walkthroughs");
     TCase *tcase = tcase_create("walkthroughs");
     tcase_add_test(tcase, pictures_are_compared);
+    tcase_add_test(tcase, a_number_of_the_prose_that_comes_from_nowhere_is_found);
+    tcase_add_loop_test(tcase, numbers_of_the_prose_come_from_what_is_shown, 0,
+                        (int)G_N_ELEMENTS(pages));
     tcase_add_loop_test(tcase, the_walkthrough_does_what_it_says, 0, (int)G_N_ELEMENTS(pages));
     tcase_set_timeout(tcase, 120);
     suite_add_tcase(suite, tcase);
