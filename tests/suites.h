@@ -152,6 +152,7 @@
     SUITE(console)                                                                                 \
     SUITE(suite)                                                                                   \
     SUITE(resume)                                                                                  \
+    SUITE(resume_pictures)                                                                         \
     SUITE(bench)                                                                                   \
     SUITE(timing)                                                                                  \
     SUITE(pareto)                                                                                  \
