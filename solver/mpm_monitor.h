@@ -15,7 +15,7 @@ struct mpm_scene;
 struct mpm_simulation;
 
 enum mpm_moment {
-    MPM_AT_START,   /* it is made, at t = 0 or where its checkpoint goes on */
+    MPM_AT_START,   /* it is made, at t = 0; of a run that goes on, before the checkpoint is read */
     MPM_AFTER_STEP, /* a step was taken and is good by all that was judged so far */
     MPM_AT_END,     /* it is freed next */
 };

@@ -154,6 +154,7 @@
     SUITE(console)                                                                                 \
     SUITE(suite)                                                                                   \
     SUITE(resume)                                                                                  \
+    SUITE(resume_pictures)                                                                         \
     SUITE(bench)                                                                                   \
     SUITE(timing)                                                                                  \
     SUITE(pareto)                                                                                  \

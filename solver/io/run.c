@@ -377,7 +377,8 @@ static enum mpm_status write_record(struct mpm_run *run, enum mpm_status status,
     record->growth_warning = run->growth_warning;
     record->parted_warning = run->parted_warning;
     record->melted_warning = run->melted_warning;
-    record->resume_warning = run->resume_warning;
+    record->older_warning = run->older_warning;
+    record->build_warning = run->build_warning;
     record->scene_path = run->options->scene_path;
     record->output_bytes = mpm_series_bytes(run->series);
     struct mpm_error second = {.status = MPM_OK};

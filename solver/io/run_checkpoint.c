@@ -115,7 +115,8 @@ enum mpm_status mpm_run_resume(struct mpm_run *run, struct mpm_error *error)
     struct mpm_checkpoint checkpoint;
     MPM_TRY(mpm_checkpoint_open(run->options->output, run->scene, run->options->simulation.kernels,
                                 &checkpoint, error));
-    (void)g_strlcpy(run->resume_warning, checkpoint.warning, sizeof run->resume_warning);
+    (void)g_strlcpy(run->older_warning, checkpoint.older_warning, MPM_MESSAGE_SIZE);
+    (void)g_strlcpy(run->build_warning, checkpoint.build_warning, MPM_MESSAGE_SIZE);
     enum mpm_status status = load(run, &checkpoint, error);
     mpm_checkpoint_close(&checkpoint);
     if (status == MPM_OK)
@@ -128,7 +129,9 @@ enum mpm_status mpm_run_resume(struct mpm_run *run, struct mpm_error *error)
     run->checkpoint_instant = mpm_run_instant(time, run->scene->checkpoint_interval);
     run->record.resumes++;
     run->record.resumed_step = mpm_simulation_step(run->simulation);
-    if (run->resume_warning[0] != '\0')
-        mpm_run_warn(run, run->resume_warning);
+    if (run->older_warning[0] != '\0')
+        mpm_run_warn(run, run->older_warning);
+    if (run->build_warning[0] != '\0')
+        mpm_run_warn(run, run->build_warning);
     return MPM_OK;
 }

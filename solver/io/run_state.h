@@ -27,7 +27,8 @@ struct mpm_run {
     char growth_warning[MPM_MESSAGE_SIZE]; /* empty until it was given */
     char parted_warning[MPM_MESSAGE_SIZE]; /* the same */
     char melted_warning[MPM_MESSAGE_SIZE]; /* the same */
-    char resume_warning[MPM_MESSAGE_SIZE];
+    char older_warning[MPM_MESSAGE_SIZE];  /* of the checkpoint that it has gone on from; */
+    char build_warning[MPM_MESSAGE_SIZE];  /* empty if it has none */
     bool *tip_told; /* per J integral of the scene: has the end of its tip been reported? */
 };
 

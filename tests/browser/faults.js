@@ -46,6 +46,8 @@ const faults = [
     spoil: figure(90, "speed (m/s)", "M60,150 L380,160") },
   { name: "texts on each other", file: "glossary.html", look: "layout", complaint: /^texts overlap/,
     spoil: addStyle("h2 + dl { margin-top: -2rem; }") },
+  { name: "a word that breaks in a column", file: "glossary.html", look: "layout", complaint: /^a word is broken/,
+    spoil: addMarkup('<table style="width: 6rem; table-layout: fixed"><tr><td style="overflow-wrap: anywhere">method.shape=classic</td></tr></table>') },
   { name: "a page that scrolls sideways", file: "glossary.html", look: "layout", complaint: /scrolls sideways|leaves the page/,
     spoil: addStyle(".scroll { overflow: visible; } table { min-width: 60rem; }") },
   { name: "a table that sorts wrongly", file: "glossary.html", look: "sort", complaint: /stands before|aria-sort/,

@@ -5,10 +5,10 @@
 "use strict";
 
 /* Every line of text that a reader sees, as { text, box }, its box cut by what scrolls; complaints
- * about those that an ancestor cuts off. */
+ * about those that an ancestor cuts off; nodes of more than one line. */
 function textLines() {
   const SLACK = 1.5; /* px: descenders and rounding */
-  const complaints = [], lines = [];
+  const complaints = [], lines = [], folded = [];
   const seen = (element) => element.checkVisibility({ visibilityProperty: true, opacityProperty: true });
   const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   const range = document.createRange();
@@ -27,7 +27,9 @@ function textLines() {
     if (node.data.trim() === "" || parent.closest("script, style, .skip") || !seen(parent) ||
       (parent.localName === "details" && !parent.open)) continue;
     range.selectNodeContents(node);
-    for (const rect of range.getClientRects()) {
+    const rects = range.getClientRects();
+    if (rects.length > 1) folded.push(node);
+    for (const rect of rects) {
       if (rect.width < 1 || rect.height < 1) continue;
       const box = { left: rect.left, right: rect.right, top: rect.top, bottom: rect.bottom };
       let scrolled = false;
@@ -49,7 +51,7 @@ function textLines() {
         lines.push({ text: node.data.trim().slice(0, 40), box, node });
     }
   }
-  return { complaints, lines };
+  return { complaints, lines, folded };
 }
 
 /* Two texts on the same place. Line boxes are taller than letters: a third of the height is air. */
@@ -66,8 +68,27 @@ function overlaps(lines) {
   return found;
 }
 
+/* Words of tables that a narrow column breaks, of those for which there is room in it. A name breaks after
+ * its underscores, and its parts are words. */
+function brokenWords(nodes) {
+  const found = new Set(), range = document.createRange();
+  for (const node of nodes) {
+    const cell = node.parentElement.closest("td, th");
+    if (cell === null) continue;
+    for (const { 0: word, index } of node.data.matchAll(/[\p{L}\p{N}]{2,}/gu)) {
+      range.setStart(node, index);
+      range.setEnd(node, index + word.length);
+      const boxes = Array.from(range.getClientRects()).filter(({ width }) => width > 0);
+      const lines = new Set(boxes.map(({ top }) => Math.round(top)));
+      if (lines.size > 1 && boxes.reduce((sum, { width }) => sum + width, 0) < cell.clientWidth)
+        found.add(`a word is broken: "${word}" of "${cell.textContent.trim().slice(0, 40)}"`);
+    }
+  }
+  return Array.from(found);
+}
+
 function layout() {
-  const { complaints, lines } = textLines();
+  const { complaints, lines, folded } = textLines();
   const page = document.documentElement;
   if (page.scrollWidth > innerWidth) {
     const wide = Array.from(document.body.querySelectorAll("*"))
@@ -75,7 +96,7 @@ function layout() {
     complaints.push(`the page scrolls sideways: ${page.scrollWidth} px of ${innerWidth}` +
       (wide ? `, <${wide.localName} class="${wide.className}">` : ""));
   }
-  return complaints.concat(overlaps(lines));
+  return complaints.concat(overlaps(lines), brokenWords(folded));
 }
 
 /* Titles of a figure's axes: a text that is turned for y, for x a lowest text that is no number, the
@@ -226,7 +247,7 @@ function thin() {
   });
 }
 
-const source = [textLines, overlaps, layout, axisTitles, drawnFrame, picture, references, isSorted, sorting, filtering, thin]
+const source = [textLines, overlaps, brokenWords, layout, axisTitles, drawnFrame, picture, references, isSorted, sorting, filtering, thin]
   .map(String).join("\n");
 
 /* The expression that calls one of them. */

@@ -133,6 +133,33 @@ static enum mpm_status run_talk(struct measurement *measurement, struct mpm_erro
     return run_pass(measurement, error);
 }
 
+/* The case's scene to its end; waits halfway for ever where `speed` is above 1. */
+static enum mpm_status run_scene(struct measurement *measurement, struct mpm_error *error)
+{
+    double speed;
+    struct mpm_scene *scene;
+    struct mpm_simulation *simulation = NULL;
+    TRY(measurement_number(measurement, "speed", &speed, error));
+    TRY(measurement_scene(measurement, NULL, 0, &scene, error));
+    const double end = mpm_scene_end_time(scene);
+    enum mpm_status status =
+        mpm_simulation_create(scene, measurement_options(measurement), &simulation, error);
+    for (bool halfway = false; status == MPM_OK && mpm_simulation_time(simulation) < end;) {
+        status = mpm_simulation_advance(simulation, end, error);
+        const double time = mpm_simulation_time(simulation);
+        if (status != MPM_OK || halfway || time < end / 2)
+            continue;
+        halfway = true;
+        status = measurement_series(measurement, "halfway", "time", 1, 1, &time, error);
+        while (speed > 1)
+            pause();
+    }
+    mpm_simulation_free(simulation);
+    mpm_scene_free(scene);
+    measurement_report(measurement, "value", 1);
+    return status;
+}
+
 #define TEST_PROGRAMS(PROGRAM)                                                                     \
     PROGRAM(quadrature)                                                                            \
     PROGRAM(pass)                                                                                  \
@@ -146,6 +173,7 @@ static enum mpm_status run_talk(struct measurement *measurement, struct mpm_erro
     PROGRAM(spoil)                                                                                 \
     PROGRAM(skip)                                                                                  \
     PROGRAM(talk)                                                                                  \
+    PROGRAM(scene)                                                                                 \
     PROGRAM(undecided)
 
 #define PROGRAM_DEFINE(name)                                                                       \

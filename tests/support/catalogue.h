@@ -8,7 +8,7 @@
 #include "verification/programs/programs.h"
 
 /* The programs quadrature, pass, fail, weak, crash, hang, omit, leave, refuse, spoil,
- * skip and undecided. */
+ * skip, talk, scene and undecided. */
 struct program_table test_programs(void);
 
 /* case.yaml of case `name` in family T, with one variant `only` and one check `value` of

@@ -84,12 +84,15 @@ static enum mpm_status read_measures(struct study *study, struct mpm_error *erro
     return MPM_OK;
 }
 
-/* A simulation for a moment: a run gives its particles after the first step only. */
+/* A simulation for a moment: a run gives its particles after the first step only. Nobody looks at
+ * it, so that pictures are of the run. */
 static enum mpm_status read_start(struct study *study, const struct mpm_scene *scene,
                                   struct mpm_error *error)
 {
+    struct mpm_simulation_options options = *measurement_options(study->measurement);
     struct mpm_simulation *simulation;
-    TRY(mpm_simulation_create(scene, measurement_options(study->measurement), &simulation, error));
+    options.monitor = NULL;
+    TRY(mpm_simulation_create(scene, &options, &simulation, error));
     const size_t count = mpm_simulation_particle_count(simulation);
     double *mass = g_new(double, count);
     study->start = (struct study_particles){count, g_new(double, 2 * count), g_new(double, count)};

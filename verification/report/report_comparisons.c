@@ -5,6 +5,7 @@
 #include "verification/common/text.h"
 #include "verification/measures/comparison/comparison_guide.h"
 #include "verification/measures/comparison/comparison_words.h"
+#include "verification/pages/html.h"
 #include "verification/report/comparison_view.h"
 #include "verification/report/report_site.h"
 
@@ -164,8 +165,9 @@ static void add_table(GString *html, const GArray *problems)
     g_string_append(html, "</tr></thead>\n<tbody>\n");
     for (unsigned i = 0; i < names->len; i++) {
         char *place = g_strdup_printf("%u", i);
-        text_markup(html, "<tr><th scope=\"row\" data-key=\"%s\">%s</th>", place,
-                    (const char *)names->pdata[i]);
+        text_markup(html, "<tr><th scope=\"row\" data-key=\"%s\">", place);
+        html_name(html, names->pdata[i]);
+        g_string_append(html, "</th>");
         for (unsigned p = 0; p < problems->len; p++)
             add_cell(html, &g_array_index(problems, struct problem, p), names->pdata[i]);
         g_string_append(html, "</tr>\n");

@@ -127,7 +127,7 @@ static enum mpm_status check_identity(const struct mpm_scene *scene, enum mpm_ke
                              "it; allowed: the same",
                              checkpoint->name, found.kernels, mpm_kernels_name(asked));
     if (strcmp(found.build, own.build) != 0)
-        (void)snprintf(checkpoint->warning, sizeof checkpoint->warning,
+        (void)snprintf(checkpoint->build_warning, sizeof checkpoint->build_warning,
                        "%s is of another build, mpm %.600s: results need not be the same bits",
                        checkpoint->name, found.build);
     return MPM_OK;
@@ -175,7 +175,7 @@ enum mpm_status mpm_checkpoint_open(const char *folder, const struct mpm_scene *
                              newest && older ? "; " : "", second.message);
     status = check_identity(scene, asked, checkpoint, error);
     if (status == MPM_OK && newest && first.status != MPM_OK)
-        (void)snprintf(checkpoint->warning, sizeof checkpoint->warning,
+        (void)snprintf(checkpoint->older_warning, sizeof checkpoint->older_warning,
                        "%.700s; the run goes on from %s", first.message, checkpoint->name);
     if (status != MPM_OK)
         mpm_checkpoint_close(checkpoint);

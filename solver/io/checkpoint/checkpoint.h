@@ -21,9 +21,11 @@ mpm_checkpoint_write(const char *folder, const struct mpm_scene *scene, const ch
 /* A checkpoint that a run can go on from. */
 struct mpm_checkpoint {
     struct mpm_checkpoint_file *file;
-    const char *name;               /* in the folder */
-    enum mpm_kernels kernels;       /* with which it was written */
-    char warning[MPM_MESSAGE_SIZE]; /* what a user should know; may be empty */
+    const char *name;         /* in the folder */
+    enum mpm_kernels kernels; /* with which it was written */
+    /* what a user should know; may be empty */
+    char older_warning[MPM_MESSAGE_SIZE]; /* the newest one is damaged */
+    char build_warning[MPM_MESSAGE_SIZE]; /* another build wrote it */
 };
 
 /* Opens the newest one that is sound. MPM_BAD_INPUT: there is none, or it is of another scene,

@@ -91,18 +91,16 @@ static json_t *cause_text(enum mpm_cause cause)
 
 static json_t *warnings_array(const struct mpm_scene *scene, const struct mpm_run_record *record)
 {
-    const char *const advice = mpm_simulation_advice(record->simulation);
+    const char *const given[] = {mpm_simulation_advice(record->simulation),
+                                 record->older_warning,
+                                 record->build_warning,
+                                 record->growth_warning,
+                                 record->parted_warning,
+                                 record->melted_warning};
     json_t *array = json_array();
-    if (advice[0] != '\0')
-        json_array_append_new(array, text(advice));
-    if (record->resume_warning[0] != '\0')
-        json_array_append_new(array, text(record->resume_warning));
-    if (record->growth_warning[0] != '\0')
-        json_array_append_new(array, text(record->growth_warning));
-    if (record->parted_warning[0] != '\0')
-        json_array_append_new(array, text(record->parted_warning));
-    if (record->melted_warning[0] != '\0')
-        json_array_append_new(array, text(record->melted_warning));
+    for (size_t k = 0; k < sizeof given / sizeof given[0]; k++)
+        if (given[k][0] != '\0')
+            json_array_append_new(array, text(given[k]));
     for (size_t k = 0; k < mpm_scene_j_integral_count(scene); k++) {
         struct mpm_tip_end end;
         char message[MPM_MESSAGE_SIZE];

@@ -16,7 +16,8 @@ struct mpm_run_record {
     const char *growth_warning; /* of a run that went on; "" where there is none */
     const char *parted_warning; /* the same */
     const char *melted_warning; /* the same */
-    const char *resume_warning; /* of the checkpoint that it has gone on from last; the same */
+    const char *older_warning;  /* of the checkpoint that it has gone on from last; the same */
+    const char *build_warning;  /* the same */
     const char *scene_path;     /* NULL: as the scene names itself */
     size_t output_bytes;        /* working space of the output */
     double seconds_setup, seconds_step, seconds_output, seconds_checkpoint;

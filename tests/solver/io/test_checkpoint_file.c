@@ -25,9 +25,13 @@ static int after_forty(void)
     return calls++ >= 40 ? SIGTERM : 0;
 }
 
+/* One line for each. */
 static void keep_warning(void *context, const char *warning)
 {
-    (void)g_strlcpy(context, warning, MPM_MESSAGE_SIZE);
+    char *const kept = context;
+    if (kept[0] != '\0')
+        (void)g_strlcat(kept, "\n", MPM_MESSAGE_SIZE);
+    (void)g_strlcat(kept, warning, MPM_MESSAGE_SIZE);
 }
 
 static enum mpm_status run_with(bool resume, enum mpm_kernels kernels, int (*interrupted)(void),
@@ -178,6 +182,59 @@ START_TEST(another_scene_other_settings_and_other_kernels_are_refused)
     check_refused(MPM_KERNELS_AUTO, "other --set texts");
     test_results_scene(TEST_BLOCKS);
     check_refused(MPM_KERNELS_AUTO, "of another scene");
+}
+END_TEST
+
+static char *find(char *bytes, gsize size, const char *text)
+{
+    const gsize length = strlen(text);
+    for (gsize k = 0; k + length <= size; k++)
+        if (memcmp(bytes + k, text, length) == 0)
+            return bytes + k;
+    return NULL;
+}
+
+/* As another compiler's build would have written it, with a right sum. */
+static void make_of_another_build(const char *name)
+{
+    enum { HEAD = 512 };
+    static const char key[] = "\nmd5 ";
+    const char *const compiler = mpm_build_info()->compiler;
+    gsize size;
+    char *const bytes = get_bytes(name, &size);
+    char *const place = find(bytes + HEAD, size - HEAD, compiler);
+    char *const sum = find(bytes, HEAD, key);
+    ck_assert(place != NULL && sum != NULL);
+    memcpy(place, "tcc", 3);
+    char *const right =
+        g_compute_checksum_for_data(G_CHECKSUM_MD5, (const guchar *)bytes + HEAD, size - HEAD);
+    memcpy(sum + strlen(key), right, strlen(right));
+    set_bytes(name, bytes, size);
+    g_free(right);
+    g_free(bytes);
+}
+
+START_TEST(an_older_checkpoint_of_another_build_has_two_warnings)
+{
+    struct mpm_error error = {.status = MPM_OK};
+    char warning[MPM_MESSAGE_SIZE] = "";
+    leave_checkpoints();
+    make_of_another_build(MPM_CHECKPOINT_PREVIOUS);
+    damage(MPM_CHECKPOINT_NAME, &damages[4]);
+    ck_assert_msg(run_with(true, MPM_KERNELS_AUTO, NULL, warning, &error) == MPM_OK, "%s",
+                  error.message);
+    json_t *const record = test_results_json("run.json");
+    const json_t *const list = json_object_get(record, "warnings");
+    ck_assert_uint_eq(json_array_size(list), 2);
+    const char *const older = json_string_value(json_array_get(list, 0));
+    const char *const build = json_string_value(json_array_get(list, 1));
+    ck_assert_msg(strstr(older, "goes on from checkpoint-previous.h5") != NULL, "%s", older);
+    ck_assert_msg(g_str_has_prefix(build, "checkpoint-previous.h5 is of another build"), "%s",
+                  build);
+    char *const both = g_strdup_printf("%s\n%s", older, build);
+    ck_assert_str_eq(warning, both);
+    g_free(both);
+    json_decref(record);
 }
 END_TEST
 
@@ -401,6 +458,7 @@ Suite *suite_checkpoint_file(void)
     tcase_add_loop_test(files, two_damaged_checkpoints_are_refused, 0, G_N_ELEMENTS(damages));
     tcase_add_test(files, a_checkpoint_of_another_format_is_refused);
     tcase_add_test(files, another_scene_other_settings_and_other_kernels_are_refused);
+    tcase_add_test(files, an_older_checkpoint_of_another_build_has_two_warnings);
     tcase_add_test(files, kernels_that_nobody_names_are_those_of_the_checkpoint);
     tcase_add_test(files, without_a_checkpoint_nothing_goes_on);
     tcase_add_test(files, a_history_that_is_shorter_is_refused);

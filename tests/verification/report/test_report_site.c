@@ -300,6 +300,8 @@ START_TEST(every_page_is_well_formed_and_limits_hold_the_weaknesses)
     for (size_t i = 0; i < G_N_ELEMENTS(pages); i++) {
         char *page = test_folder_read(folders.first, pages[i]);
         test_assert_well_formed(page, pages[i]);
+        ck_assert_msg(strstr(page, "href=\"mutants.html\"") == NULL,
+                      "%s: a link to the page of mutants, of which there are none", pages[i]);
         g_free(page);
     }
     expect(folders.first, "table-weaknesses.csv", "\"Q\",\"ninth\",\"too few points\"");
@@ -347,6 +349,7 @@ START_TEST(what_is_stored_is_shown_again_from_the_folder_alone)
         expect(folders.second, "table-mutants.csv",
                "\"sign\",\"method\",\"wrong sign\",\"killed\",1,");
         expect(folders.second, "mutants.html", "<strong>50.0 %</strong>");
+        expect(folders.second, "index.html", "<a href=\"mutants.html\">Mutants</a>");
         expect(folders.second, "mutants.html", "+b &lt;c&gt;");
         expect(folders.second, "table-killers.csv", "\"Q/exact\",1,1\r\n");
         expect(folders.second, "table-builds.csv", "\"old\"");
@@ -410,6 +413,9 @@ START_TEST(headroom_without_a_reason_and_values_missing_elsewhere_are_told)
     said = test_verify_with("mpm-verify report @", folders.second, NULL);
     test_said_free(&said);
     expect(folders.second, "headroom.html", "<p class=\"notice\">1 of 2 checks: no value in a");
+    char *page = test_folder_read(folders.second, "headroom.html");
+    ck_assert_msg(strstr(page, "notice good") == NULL, "all is well beside what is not");
+    g_free(page);
     expect(folders.second, "table-headroom.csv", "no value in a build that ran it");
     expect(folders.second, "table-builds.csv", "\"old\",1,0,1,1,");
 }

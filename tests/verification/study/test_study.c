@@ -9,6 +9,7 @@
 #include "verification/measures/quantities.h"
 
 #include <glib.h>
+#include <jansson.h>
 #include <math.h>
 #include <signal.h>
 #include <string.h>
@@ -307,6 +308,20 @@ static void raise_first_energy(const char *run)
     g_free(text);
 }
 
+/* The state that the picture of the lasting run shows; json_decref. */
+static json_t *state_shown(const struct place *place)
+{
+    char *path = test_folder_path(place->output, "cases/r4/picture-run.json");
+    json_t *object = json_load_file(path, 0, NULL);
+    ck_assert_ptr_nonnull(object);
+    json_t *still = json_incref(json_object_get(object, "still"));
+    const json_t *const frame = json_array_get(json_object_get(still, "frames"), 0);
+    ck_assert_double_eq(json_number_value(json_object_get(frame, "time")), 2000);
+    json_decref(object);
+    g_free(path);
+    return still;
+}
+
 START_TEST(a_run_of_a_study_with_checkpoints_goes_on_from_them)
 {
     struct place whole = place_create(), place = place_create();
@@ -322,6 +337,10 @@ START_TEST(a_run_of_a_study_with_checkpoints_goes_on_from_them)
     char *expected = table_of(&whole), *found = table_of(&place);
     ck_assert_msg((strcmp(expected, found) == 0) == (_i == 0), "%s", found);
     ck_assert((strstr(found, ",3.") == NULL) == (_i == 1));
+    json_t *one = state_shown(&whole), *other = state_shown(&place);
+    ck_assert(json_equal(one, other));
+    json_decref(other);
+    json_decref(one);
     g_free(found);
     g_free(expected);
     g_free(run);

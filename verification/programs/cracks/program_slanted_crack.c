@@ -198,11 +198,10 @@ static void report(struct measurement *m, const struct study *study)
     measurement_report(m, "j_mean", 0.5 * (end.j + start.j) / release_of(study));
     measurement_report(m, "spread", fmax(end.spread, start.spread));
     measurement_report(m, "tips", 200.0 * fabs(end.j - start.j) / (end.j + start.j));
-    measurement_note(
-        m,
-        "exact: K_I %.5g, K_II %.5g of sigma sqrt(pi a); tractions on the edges within "
-        "%.1e of sigma",
-        exact[0] / scale, exact[1] / scale, study->exact.residual);
+    measurement_note(m,
+                     "exact: K_I %.5g, K_II %.5g of σ√(πa); tractions on the edges within "
+                     "%.1e of σ",
+                     exact[0] / scale, exact[1] / scale, study->exact.residual);
 }
 
 /* Columns of a contour: K_I and K_II of the solver at the end and at the start, of the suite in the
