@@ -77,8 +77,10 @@ static void add_figures(GString *html, const json_t *entry, const struct figure_
     if (json_array_size(figures) == 0)
         return;
     g_string_append(html, "<h2 id=\"pictures\">Pictures</h2>\n<div class=\"figures\">\n");
-    for (size_t i = 0; i < json_array_size(figures); i++)
-        add_figure(html, json_array_get(figures, i), &results[i]);
+    for (int missing = 0; missing < 2; missing++) /* those that are not drawn come last */
+        for (size_t i = 0; i < json_array_size(figures); i++)
+            if ((results[i].state != FIGURE_DRAWN) == missing)
+                add_figure(html, json_array_get(figures, i), &results[i]);
     g_string_append(html, "</div>\n");
 }
 
