@@ -52,12 +52,12 @@ static void add_figure(GString *html, const json_t *figure, const struct figure_
 {
     const char *title = record_text(figure, "title");
     if (result->state == FIGURE_DRAWN)
-        text_markup(
-            html,
-            "<figure class=\"wide%s\">\n<img src=\"figure-%s.svg\" width=\"%d\" height=\"%d\" "
-            "alt=\"%s. %s\" />\n",
-            result->width > COLUMN_WIDTH ? " whole" : "", record_text(figure, "figure"),
-            result->width, result->height, title, record_text(figure, "caption"));
+        text_markup(html,
+                    "<figure class=\"wide%s\" tabindex=\"0\">\n<img src=\"figure-%s.svg\" "
+                    "width=\"%d\" height=\"%d\" "
+                    "alt=\"%s. %s\" />\n",
+                    result->width > COLUMN_WIDTH ? " whole" : "", record_text(figure, "figure"),
+                    result->width, result->height, title, record_text(figure, "caption"));
     else
         text_markup(html, "<figure>\n<p class=\"notice%s\"><strong>%s</strong> %s</p>\n",
                     result->state == FIGURE_FAILED ? "" : " quiet",
