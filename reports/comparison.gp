@@ -13,7 +13,7 @@ set rmargin at screen 0.98
 set bmargin at screen 0.14
 set tmargin at screen 0.85
 set key at screen 0.55, screen 0.985 center top horizontal maxrows 2 samplen 1 font ',12' noenhanced
-set xlabel across noenhanced
+set xlabel across noenhanced offset 0, 0.5
 set ylabel up noenhanced offset 0.6, 0
 load axes
 colours = '0x808080 0xD55E00 0x0072B2 0xE69F00 0x009E73'

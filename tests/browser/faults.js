@@ -60,6 +60,12 @@ const faults = [
     spoil: addMarkup("<script>console.error('spoiled');</script>") },
   { name: "too little contrast", file: "glossary.html", look: "axe", complaint: /^color-contrast/,
     spoil: addStyle("main, main * { color: #c8c8c8 !important; background: #ffffff !important; }") },
+  { name: "what scrolls in a narrow window without the keyboard", file: "glossary.html", look: "axe",
+    complaint: /^scrollable-region-focusable/, spoil: addMarkup("<style>@media (max-width: 40rem) { .spoiled { overflow-x: auto; } }" +
+      '.spoiled img { width: 60rem; height: 4rem; }</style><div class="spoiled"><img alt="wide" src="data:image/gif;base64,' +
+      'R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7" /></div>') },
+  { name: "a page out of the sample that scrolls sideways", file: "glossary.html", look: "brief", complaint: /scrolls sideways|leaves the page/,
+    spoil: addStyle(".scroll { overflow: visible; } table { min-width: 60rem; }") },
   { name: "a button without a name", file: "glossary.html", look: "axe", complaint: /^button-name/,
     spoil: addMarkup('<button type="button"></button>') },
 ];

@@ -3,6 +3,7 @@
  *
  *     node run.js REPORT AXE PICTURES     the test; screenshots go to the folder PICTURES
  *     node run.js --top REPORT AXE PICTURES   of the pages in the top folder alone
+ *     node run.js --every REPORT AXE      of each page in full, whatever its name, at two widths
  *     node run.js --labels FOLDER AXE     of the labels of all pictures in the folder alone
  *     node run.js --self-test REPORT AXE  each fault, put into a copy, turns the test red
  *
@@ -20,9 +21,11 @@ const { filesOf, linksOf } = require("./site.js");
 const { faults, spoiledCopy } = require("./faults.js");
 
 const WIDTHS = [360, 500, 768, 1440];
+/* Widths of axe, which sees what scrolls in a narrow window alone: the scheme of those that are not in the sample. */
+const AXE_WIDTHS = { 500: "light", 1440: "dark" };
 const SCHEMES = ["light", "dark"];
 /* Cases whose pages are checked in full: few and many checks, pictures, a comparison, failures reported.
- * All others are loaded, and their links followed. */
+ * All others are loaded, and their links, layout and access checked at one width with each scheme. */
 const SAMPLE = ["R1", "S2", "W1", "G1", "D2"];
 const inSample = (page) => SAMPLE.some((name) => page.startsWith(`cases/${name}/`));
 /* The scheme changes colours alone. */
@@ -80,27 +83,37 @@ class Test {
     this.judge(`${page}: layout at ${width} px`, await tab.ask(call("layout")));
   }
 
-  async accessibility(tab, page, scheme) {
+  async accessibility(tab, page, scheme, width) {
+    await tab.width(Number(width));
     await tab.scheme(scheme);
     await tab.ask(call("thin"));
     await tab.ask(`(() => { if (!window.axe) { ${this.axe} } })()`);
     const found = await tab.ask(`axe.run(document, ${JSON.stringify({ ...AXE_RULES[scheme], resultTypes: ["violations"] })})
       .then(({ violations }) => violations.map((v) =>
         v.id + ": " + v.help + " (" + v.nodes.length + "), first " + v.nodes[0].html.slice(0, 160)))`);
-    this.judge(`${page}: axe, ${scheme}`, found);
+    this.judge(`${page}: axe, ${scheme} at ${width} px`, found);
   }
 
-  /* All checks of one page. */
+  /* All checks of one page; without a folder for pictures at the widths of axe alone. */
   async whole(tab, page, pictures = null) {
     await this.load(tab, page);
     await this.sort(tab, page);
     await this.filter(tab, page);
     await this.open(tab, page); /* rows as they were */
-    for (const width of WIDTHS) {
+    for (const width of pictures !== null ? WIDTHS : Object.keys(AXE_WIDTHS).map(Number)) {
       await this.layout(tab, page, width);
       if (pictures !== null) await this.pictures(tab, page, width, pictures);
     }
-    for (const scheme of SCHEMES) await this.accessibility(tab, page, scheme);
+    for (const width of Object.keys(AXE_WIDTHS))
+      for (const scheme of SCHEMES) await this.accessibility(tab, page, scheme, width);
+    await tab.scheme("light");
+  }
+
+  /* What no page is without. */
+  async brief(tab, page) {
+    await this.load(tab, page);
+    for (const width of Object.keys(AXE_WIDTHS)) await this.layout(tab, page, Number(width));
+    for (const [width, scheme] of Object.entries(AXE_WIDTHS)) await this.accessibility(tab, page, scheme, width);
     await tab.scheme("light");
   }
 
@@ -108,10 +121,11 @@ class Test {
   async look(tab, { file, look }) {
     if (look === "labels") return this.labels(tab, file);
     if (look === "load") return this.load(tab, file);
+    if (look === "brief") return this.brief(tab, file);
     await this.open(tab, file);
     if (look === "sort") return this.sort(tab, file);
     if (look === "filter") return this.filter(tab, file);
-    return look === "layout" ? this.layout(tab, file, WIDTHS[0]) : this.accessibility(tab, file, "light");
+    return look === "layout" ? this.layout(tab, file, WIDTHS[0]) : this.accessibility(tab, file, "light", 500);
   }
 
   async pictures(tab, page, width, folder) {
@@ -144,15 +158,17 @@ function missing(pages) {
     .map((page) => `${page} is to be checked in full, and is not there`);
 }
 
-async function testReport(browser, folder, axe, pictures, top) {
+async function testReport(browser, folder, axe, pictures, { top, every }) {
   const test = new Test(folder, axe), tab = await browser.tab(), pages = filesOf(folder, ".html");
-  fs.rmSync(pictures, { recursive: true, force: true });
-  fs.mkdirSync(pictures, { recursive: true });
-  if (!top) test.judge("the sample of cases", missing(pages));
+  if (!every) {
+    fs.rmSync(pictures, { recursive: true, force: true });
+    fs.mkdirSync(pictures, { recursive: true });
+  }
+  if (!top && !every) test.judge("the sample of cases", missing(pages));
   for (const page of pages.filter((name) => !top || !name.includes("/"))) {
     await tab.width(WIDTHS.at(-1));
-    if (!page.includes("/") || inSample(page)) await test.whole(tab, page, pictures);
-    else await test.load(tab, page);
+    if (every || !page.includes("/") || inSample(page)) await test.whole(tab, page, every ? null : pictures);
+    else await test.brief(tab, page);
   }
   if (top) return test;
   await tab.width(WIDTHS.at(-1));
@@ -196,7 +212,7 @@ async function main(args) {
   try {
     const test = option === "--self-test" ? await testItself(browser, folder, axe)
       : option === "--labels" ? await testLabels(browser, folder, axe)
-      : await testReport(browser, folder, axe, pictures, option === "--top");
+      : await testReport(browser, folder, axe, pictures, { top: option === "--top", every: option === "--every" });
     test.say();
     console.log(`${test.passed} passed, ${test.failures.length} failed, 0 skipped`);
     return test.failures.length === 0 ? 0 : 1;

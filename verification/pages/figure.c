@@ -8,6 +8,7 @@
 #include "verification/common/input.h"
 #include "verification/common/output.h"
 #include "verification/pages/figure_script.h"
+#include "verification/pages/figure_shorten.h"
 
 #include <errno.h>
 #include <glib.h>
@@ -118,7 +119,9 @@ static enum mpm_status dress_file(const char *home, const struct figure_plot *pl
     if (status == MPM_OK && svg != NULL) {
         read_size(svg, result);
         char *dressed = figure_dress(svg, plot->title, plot->description);
-        status = output_write(plot->folder, plot->output, dressed, error);
+        char *shorter = figure_shorten(dressed);
+        status = output_write(plot->folder, plot->output, shorter, error);
+        g_free(shorter);
         g_free(dressed);
     }
     g_free(svg);

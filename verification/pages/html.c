@@ -58,10 +58,11 @@ void html_margin(GString *html, double margin)
     char width[G_ASCII_DTOSTR_BUF_SIZE];
     g_ascii_formatd(width, sizeof width, "%.0f", 100 * fmin(1, fabs(margin)));
     text_markup(html,
-                "<span class=\"bar%s\" aria-hidden=\"true\"><i style=\"width:%s%%\"></i></span>",
+                "<span class=\"kept\"><span class=\"bar%s\" aria-hidden=\"true\"><i "
+                "style=\"width:%s%%\"></i></span>",
                 margin < 0 ? " out" : "", width);
     g_ascii_formatd(width, sizeof width, fabs(margin) < 10 ? "%.2f" : "%.3g", margin);
-    text_markup(html, "%s", width);
+    text_markup(html, "%s</span>", width);
 }
 
 char *html_fill(const struct report_style *style, const char *title, GString *navigation,

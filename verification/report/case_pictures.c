@@ -44,8 +44,7 @@ static char *state_text(const struct picture_file *file)
     const size_t drawn = file->still.count, stride = file->still.stride;
     g_string_append_printf(text,
                            "The particles of variant %s, each as the domain that its "
-                           "deformation gradient makes of its first rectangle. Dashed: the "
-                           "bodies at the start.",
+                           "deformation gradient makes of its first rectangle.",
                            file->variant);
     if (stride > 1)
         g_string_append_printf(text,
@@ -74,7 +73,9 @@ static enum mpm_status add_state(const char *home, const json_t *entry,
     text_markup(html, "<figcaption><strong>%s%s.</strong> ", name,
                 file->motion.frame_count > 0 ? " at the end" : "");
     g_free(name);
-    text_markup(html, "%s<span class=\"about\">%s</span></figcaption>\n</figure>\n", caption, text);
+    text_markup(html, "%s<span class=\"about\">%s%s</span></figcaption>\n</figure>\n", caption,
+                text,
+                strstr(svg, "class=\"before\"") != NULL ? " Dashed: the bodies at the start." : "");
     enum mpm_status status = write_owned(home, still_name, svg, error);
     if (status == MPM_OK)
         status = write_owned(home, small_name, picture_small_svg(file, title), error);

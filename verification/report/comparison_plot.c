@@ -265,13 +265,29 @@ char *comparison_plot_data(const struct comparison_view *view, size_t x, size_t 
 
 static const char data_name[] = "data-comparison.dat";
 
-static char *label_of(const struct comparison_column *column)
+static char *label_with(const struct comparison_column *column, const char *title)
 {
     const bool bare = strcmp(column->unit, "1") == 0;
-    char *text = g_strconcat(column->better == COMPARISON_ZERO ? "|" : "", column->title,
-                             column->better == COMPARISON_ZERO ? "|" : "", bare ? "" : " (",
-                             bare ? "" : column->unit, bare ? "" : ")",
-                             column->better == COMPARISON_HIGH ? ", more is better" : "", NULL);
+    return g_strconcat(column->better == COMPARISON_ZERO ? "|" : "", title,
+                       column->better == COMPARISON_ZERO ? "|" : "", bare ? "" : " (",
+                       bare ? "" : column->unit, bare ? "" : ")",
+                       column->better == COMPARISON_HIGH ? ", more is better" : "", NULL);
+}
+
+/* Title, unit and direction; a title that is longer than its axis is cut, and the table has it
+ * whole. */
+static char *label_of(const struct comparison_column *column, double length)
+{
+    char *text = label_with(column, column->title);
+    for (glong letters = g_utf8_strlen(column->title, -1);
+         letters > 0 && axis_text_width(text, TIC_FONT) > length; letters--) {
+        char *begin = g_utf8_substring(column->title, 0, letters - 1);
+        char *title = g_strconcat(begin, "…", NULL);
+        g_free(text);
+        text = label_with(column, title);
+        g_free(title);
+        g_free(begin);
+    }
     char *quoted = figure_quoted(text);
     g_free(text);
     return quoted;
@@ -288,7 +304,8 @@ static struct figure_result draw(const struct comparison_view *view, const json_
     char *stamp = g_strdup_printf("Touchstone %s, %s", record_text(run, "version"),
                                   record_text(run, "revision"));
     char *quoted_stamp = figure_quoted(stamp);
-    char *across = label_of(&view->columns[x]), *up = label_of(&view->columns[y]);
+    char *across = label_of(&view->columns[x], room_across.length),
+         *up = label_of(&view->columns[y], room_up.length);
     char *settings =
         g_strdup_printf("name='comparison'; data=%s; variants=''; stamp=%s; across=%s; up=%s",
                         quoted_data, quoted_stamp, across, up);

@@ -404,18 +404,6 @@ static void add_time(const struct drawing *drawing, double time)
     g_free(text);
 }
 
-static void add_before(struct drawing *drawing)
-{
-    const json_t *const bodies = json_object_get(drawing->file->scene, "bodies");
-    const bool radial = region_is_radial(drawing->file->scene);
-    if (radial)
-        region_clip(drawing->svg, &drawing->view);
-    for (size_t i = 0; i < json_array_size(bodies); i++)
-        region_path(drawing->svg, &drawing->view,
-                    json_object_get(json_array_get(bodies, i), "region"),
-                    radial ? "class=\"before\" clip-path=\"url(#seen)\"" : "class=\"before\"");
-}
-
 char *picture_still_svg(const struct picture_file *file, const char *title, const char *description)
 {
     struct drawing drawing = {.file = file, .states = &file->still};
@@ -423,7 +411,7 @@ char *picture_still_svg(const struct picture_file *file, const char *title, cons
     const struct picture_frame *const last = &file->still.frames[file->still.frame_count - 1];
     add_time(&drawing, last->time);
     add_frame(&drawing, last);
-    add_before(&drawing);
+    region_outlines(drawing.svg, &drawing.view, drawing.file->scene);
     add_surroundings(&drawing);
     svg_end(drawing.svg);
     return g_string_free(drawing.svg, FALSE);
@@ -460,7 +448,7 @@ char *picture_motion_svg(const struct picture_file *file, const char *title,
         add_frame(&drawing, &file->motion.frames[i]);
         g_string_append(drawing.svg, "</g>\n");
     }
-    add_before(&drawing);
+    region_outlines(drawing.svg, &drawing.view, drawing.file->scene);
     add_surroundings(&drawing);
     svg_end(drawing.svg);
     g_free(style);

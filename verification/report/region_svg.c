@@ -79,6 +79,29 @@ void region_path(GString *svg, const struct svg_view *view, const json_t *region
     g_string_free(path, TRUE);
 }
 
+/* Dashes around a body of a few pixels would cover what is there now. */
+static bool is_thin(const struct svg_view *view, const json_t *region)
+{
+    enum { LEAST = 10 /* pixels */ };
+    double low[2], high[2];
+    return region_box(region, low, high) &&
+           fmin(high[0] - low[0], high[1] - low[1]) * view->scale < LEAST;
+}
+
+void region_outlines(GString *svg, const struct svg_view *view, const json_t *scene)
+{
+    const json_t *const bodies = json_object_get(scene, "bodies");
+    const bool radial = region_is_radial(scene);
+    if (radial)
+        region_clip(svg, view);
+    for (size_t i = 0; i < json_array_size(bodies); i++) {
+        const json_t *const region = json_object_get(json_array_get(bodies, i), "region");
+        if (!is_thin(view, region))
+            region_path(svg, view, region,
+                        radial ? "class=\"before\" clip-path=\"url(#seen)\"" : "class=\"before\"");
+    }
+}
+
 /* ------------------------------------------------------------------------ boxes */
 
 static void take(double low[2], double high[2], const double point[2], double reach)

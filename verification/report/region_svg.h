@@ -26,4 +26,7 @@ bool region_box(const json_t *region, double low[2], double high[2]);
 void region_path(GString *svg, const struct svg_view *view, const json_t *region,
                  const char *attributes);
 
+/* The bodies of a scene at the start as paths of class "before"; thin ones are left out. */
+void region_outlines(GString *svg, const struct svg_view *view, const json_t *scene);
+
 #endif

@@ -52,12 +52,12 @@ static void add_figure(GString *html, const json_t *figure, const struct figure_
 {
     const char *title = record_text(figure, "title");
     if (result->state == FIGURE_DRAWN)
-        text_markup(
-            html,
-            "<figure class=\"wide%s\">\n<img src=\"figure-%s.svg\" width=\"%d\" height=\"%d\" "
-            "alt=\"%s. %s\" />\n",
-            result->width > COLUMN_WIDTH ? " whole" : "", record_text(figure, "figure"),
-            result->width, result->height, title, record_text(figure, "caption"));
+        text_markup(html,
+                    "<figure class=\"wide%s\" tabindex=\"0\">\n<img src=\"figure-%s.svg\" "
+                    "width=\"%d\" height=\"%d\" "
+                    "alt=\"%s. %s\" />\n",
+                    result->width > COLUMN_WIDTH ? " whole" : "", record_text(figure, "figure"),
+                    result->width, result->height, title, record_text(figure, "caption"));
     else
         text_markup(html, "<figure>\n<p class=\"notice%s\"><strong>%s</strong> %s</p>\n",
                     result->state == FIGURE_FAILED ? "" : " quiet",
@@ -77,8 +77,10 @@ static void add_figures(GString *html, const json_t *entry, const struct figure_
     if (json_array_size(figures) == 0)
         return;
     g_string_append(html, "<h2 id=\"pictures\">Pictures</h2>\n<div class=\"figures\">\n");
-    for (size_t i = 0; i < json_array_size(figures); i++)
-        add_figure(html, json_array_get(figures, i), &results[i]);
+    for (int missing = 0; missing < 2; missing++) /* those that are not drawn come last */
+        for (size_t i = 0; i < json_array_size(figures); i++)
+            if ((results[i].state != FIGURE_DRAWN) == missing)
+                add_figure(html, json_array_get(figures, i), &results[i]);
     g_string_append(html, "</div>\n");
 }
 

@@ -91,7 +91,8 @@ static const json_t *own_figure(const json_t *entry, const struct comparison_vie
 static void add_own_figure(GString *html, const json_t *figure)
 {
     text_markup(html,
-                "<figure class=\"wide\">\n<img src=\"figure-%s.svg\" width=\"760\" alt=\"%s; the "
+                "<figure class=\"wide\" tabindex=\"0\">\n<img src=\"figure-%s.svg\" width=\"760\" "
+                "alt=\"%s; the "
                 "table below has the numbers\" />\n<figcaption>%s</figcaption>\n</figure>\n",
                 record_text(figure, "figure"), record_text(figure, "title"),
                 record_text(figure, "caption"));
@@ -102,7 +103,7 @@ static void add_picture(GString *html, const struct comparison_view *view,
 {
     if (picture->state == FIGURE_WITHOUT_DATA && *picture->reason == '\0')
         return;
-    g_string_append(html, "<figure class=\"wide\">\n");
+    g_string_append(html, "<figure class=\"wide\" tabindex=\"0\">\n");
     if (picture->state == FIGURE_DRAWN) {
         text_markup(
             html,

@@ -276,7 +276,18 @@ static bool is_told(const GPtrArray *falling, unsigned place)
     return false;
 }
 
-/* Case, title, values and variants of a check that the method does not hold. */
+/* The least and the largest value with four digits; one number where these do not differ. */
+static char *values_text(double low, double high, const char *unit)
+{
+    char *first = text_number(low), *last = text_quantity(high, unit), *end = text_number(high);
+    char *text = strcmp(first, end) == 0 ? g_strdup(last) : g_strconcat(first, " .. ", last, NULL);
+    g_free(end);
+    g_free(last);
+    g_free(first);
+    return text;
+}
+
+/* Case, title, values, the band of a good method, and variants of a check that it does not hold. */
 static void add_fall(GString *html, const GPtrArray *falling, unsigned place)
 {
     const json_t *check = falling->pdata[place];
@@ -296,9 +307,11 @@ static void add_fall(GString *html, const GPtrArray *falling, unsigned place)
     g_string_append(html, "<li>");
     add_case_link(html, record_text(check, "case"), "index.html#checks");
     text_markup(html, ": %s, ", record_text(check, "title"));
-    html_numbers(html, low < high ? text_range(low, high, record_text(check, "unit"))
-                                  : text_value(check));
-    text_markup(html, " <span class=\"about\">%s</span></li>", variants->str);
+    const char *unit = record_text(check, "unit");
+    html_numbers(html, low < high ? values_text(low, high, unit) : text_value(check));
+    g_string_append(html, " <span class=\"about\">(good: ");
+    html_numbers(html, text_range(record_number(check, "low"), record_number(check, "high"), unit));
+    text_markup(html, ") %s</span></li>", variants->str);
     g_string_free(variants, TRUE);
 }
 
@@ -353,11 +366,11 @@ static void add_choice(GString *html, const struct decision *decision)
     char *cases = text_count(best->cases->len, "case");
     text_markup(html, "%s of %u", cases, decision->entries->len);
     if (isfinite(best->cost)) {
-        g_string_append(html, " and takes ");
+        g_string_append(html, "; it takes ");
         html_numbers(html, text_number(round(100 * best->cost) / 100));
         g_string_append(html, " times the time of the cheapest method in the same settings");
     }
-    g_string_append(html, best->falling->len == 0 ? "." : "; it falls short in:");
+    g_string_append(html, best->falling->len == 0 ? "." : ". It falls short in:");
     g_string_append(html, "</p>\n");
     if (best->falling->len > 0)
         add_falling(html, best->falling);
@@ -377,10 +390,10 @@ static void add_comparisons(GString *html, const struct decision *decision)
         char *outside = comparison_outside(&view.table);
         g_string_append(html, "<p>");
         add_case_link(html, record_text(entry, "case"), "comparison.html");
-        text_markup(html, ", %s: ", record_text(view.declared, "title"));
+        text_markup(html, " <strong>%s.</strong> ", record_text(view.declared, "title"));
         html_numbers(html, g_strdup(guide));
         if (*outside != '\0') {
-            g_string_append(html, " Do not count: ");
+            g_string_append(html, " Not counted: ");
             html_numbers(html, g_strdup(outside));
             g_string_append_c(html, '.');
         }
@@ -425,15 +438,17 @@ void report_decision_page(struct report_site *site)
     if (!site->compares)
         return;
     GString *html = g_string_new(
-        "<h1>Which method for what</h1>\n<p class=\"lead\">For each purpose: what each method "
-        "holds, what it costs, and where it falls short. All numbers are measured in this "
-        "run.</p>\n<p class=\"about\">A method is a family of shape functions with an order "
-        "of the stress update, over all its variants in the cases of that purpose. Methods come "
-        "in the order of the share of checks that they hold, then of cost. Methods that run fewer "
-        "than "
-        "half as many cases as the method with most cases come last. Cost is time over the least "
-        "time of any method in the same case and setting: the median over all settings that two "
-        "methods or more ran. A check that is expected to fail counts as not held.</p>\n<nav "
+        "<h1>Which method for what</h1>\n<p class=\"lead\">For each purpose: which checks each "
+        "method holds, what it costs, and where it falls short. All numbers are measured in this "
+        "run.</p>\n<p class=\"about\">A method is a family of shape functions (classic, ugimp, "
+        "cpdi, bspline2, bspline3) with an order of the stress update (usl, musl, usf, usavg), "
+        "with "
+        "all its variants in the cases of that purpose. It holds a check if the value is in the "
+        "band of a good method; a check that is expected to fail is not held. The method with the "
+        "largest share of checks held comes first, and of equal ones the cheapest; methods with "
+        "fewer than half as many cases as the most measured one come last. Cost is the time of a "
+        "run over that of the cheapest method in the same case and setting, as the median of all "
+        "settings that two methods or more ran.</p>\n<nav "
         "aria-label=\"Purposes\"><ul class=\"here\">");
     for (size_t i = 0; i < G_N_ELEMENTS(purposes); i++)
         text_markup(html, "<li><a href=\"#%s\">%s</a></li>", purposes[i].tag, purposes[i].title);

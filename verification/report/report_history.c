@@ -4,6 +4,7 @@
 #include "verification/common/text.h"
 #include "verification/measures/comparison/series_steps.h"
 #include "verification/pages/html.h"
+#include "verification/records/check_text.h"
 #include "verification/records/history.h"
 #include "verification/report/report_site.h"
 
@@ -11,7 +12,8 @@
 #include <string.h>
 
 struct series {
-    char *name, *href; /* href NULL: a benchmark */
+    char *name; /* as the reports name a check, or a benchmark */
+    char *href; /* NULL: a benchmark */
     const char *unit;
     double *numbers;
     double noise;
@@ -71,13 +73,14 @@ static void gather_checks(struct history_view *view, const struct report_site *s
     for (size_t i = 0; i < json_array_size(site->records->checks); i++) {
         const json_t *check = json_array_get(site->records->checks, i);
         struct series series = {
-            .name = record_key(check, "check"),
+            .name = text_check_name(check),
             .href = g_strdup_printf("cases/%s/index.html#checks", record_text(check, "case")),
             .unit = record_text(check, "unit"),
             .numbers = g_new(double, view->length),
         };
-        history_series(site->history, "values", series.name, record_number(check, "value"),
-                       series.numbers);
+        char *key = record_key(check, "check");
+        history_series(site->history, "values", key, record_number(check, "value"), series.numbers);
+        g_free(key);
         add_series(view->checks, view, series);
     }
 }
@@ -202,6 +205,13 @@ static size_t known_values(const struct records *records)
     return known;
 }
 
+/* A folder of benchmarks alone has no checks, and none that failed. */
+static void add_count_of_checks(struct report_table *table, bool checks, size_t count)
+{
+    report_table_number(table, checks ? (double)count : (double)NAN,
+                        checks ? g_strdup_printf("%zu", count) : g_strdup("no checks"));
+}
+
 static void add_runs(GString *html, struct report_site *site, const struct history_view *view)
 {
     static const struct report_column columns[] = {
@@ -216,6 +226,7 @@ static void add_runs(GString *html, struct report_site *site, const struct histo
     for (size_t i = 0; i < view->length; i++) {
         const bool own = i + 1 == view->length;
         const json_t *run = own ? site->records->run : json_array_get(view->runs, i);
+        const bool checks = own || json_object_get(run, "failed") != NULL;
         const size_t failed =
             own ? counts.failed : (size_t)json_integer_value(json_object_get(run, "failed"));
         const size_t values =
@@ -226,8 +237,8 @@ static void add_runs(GString *html, struct report_site *site, const struct histo
         report_table_text(table, record_text(run, "revision"));
         report_table_text(table, record_text(run, "started"));
         report_table_text(table, record_text(run, "tier"));
-        report_table_number(table, (double)failed, g_strdup_printf("%zu", failed));
-        report_table_number(table, (double)values, g_strdup_printf("%zu", values));
+        add_count_of_checks(table, checks, failed);
+        add_count_of_checks(table, checks, values);
         report_table_number(table, (double)benchmarks, g_strdup_printf("%zu", benchmarks));
         report_table_text(table, record_text(run, "compiler"));
         report_table_text(table, record_text(run, "processor"));

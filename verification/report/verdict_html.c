@@ -9,7 +9,7 @@ static const struct {
     const char *mark, *class;
 } looks[VERDICT_STATUS_COUNT] = {
     {VERDICT_FAIL, "✗", "bad"},         {VERDICT_ERROR, "!", "bad"},
-    {VERDICT_TIMEOUT, "⧖", "bad"},      {VERDICT_UNEXPECTED_PASS, "⚑", "bad"},
+    {VERDICT_TIMEOUT, "◔", "bad"},      {VERDICT_UNEXPECTED_PASS, "⚑", "bad"},
     {VERDICT_INCONCLUSIVE, "?", "bad"}, {VERDICT_EXPECTED_FAIL, "◇", "known"},
     {VERDICT_PASS, "✓", "good"},        {VERDICT_SKIP, "–", "idle"},
 };

@@ -325,14 +325,14 @@ START_TEST(the_guide_takes_the_cheapest_of_the_best_and_names_who_is_cheaper)
     ck_assert_uint_eq(comparison_choice(&table, 0, 1), 1);
     ck_assert_str_eq(
         guide,
-        "Use beta (Error: 1.05 %), the best of the 4 that count, equal to alpha; of these among "
-        "the cheapest, and least behind elsewhere. Time: 6 s, 3 times the best. Where cost counts "
-        "more: delta, 2.2 s (Error: 3 %). 1 of 5 do not count: they broke or are beyond "
-        "a limit (the column Run).");
+        "Use beta. Error: 1.05 %, the best of the 4 runs that count; equal: alpha. Of these, beta "
+        "is among the cheapest and loses least in the other columns. Time: 6 s, 3 times the best. "
+        "Cheaper: delta, 2.2 s (Error: 3 %). 1 of 5 runs does not count: broken, or beyond a "
+        "limit.");
     ck_assert_str_eq(alone,
-                     "Use beta (Error: 1.05 %), the best of the 4 that count, equal to alpha; of "
-                     "these least behind elsewhere. Next: delta (3 %). 1 of 5 do not count: they "
-                     "broke or are beyond a limit (the column Run).");
+                     "Use beta. Error: 1.05 %, the best of the 4 runs that count; equal: alpha. Of "
+                     "these, beta loses least in the other columns. Next: delta (3 %). 1 of 5 runs "
+                     "does not count: broken, or beyond a limit.");
     g_free(alone);
     g_free(guide);
 }

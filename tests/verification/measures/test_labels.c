@@ -45,13 +45,15 @@ static const struct axis_room rooms[] = {
 };
 enum { ROOMS = sizeof rooms / sizeof *rooms };
 
-/* The number of a label: "0.02", "1e-05", "2·10^{-5}". */
+/* The number of a label: "0.02", "2·10^{-5}", "-10^{6}". */
 static double number_of(const char *text)
 {
     char *power = strstr(text, "10^{"), *point = strstr(text, "·");
+    ck_assert_msg(strchr(text, 'e') == NULL, "%s", text);
     if (power == NULL)
         return g_ascii_strtod(text, NULL);
-    return (point == NULL ? 1.0 : g_ascii_strtod(text, NULL)) *
+    const double sign = *text == '-' ? -1.0 : 1.0;
+    return (point == NULL ? sign : g_ascii_strtod(text, NULL)) *
            pow(10, g_ascii_strtod(power + 4, NULL));
 }
 

@@ -56,7 +56,7 @@ START_TEST(the_page_has_a_row_for_each_variant_and_the_csv_its_numbers)
                                         "; from case crash</span>", /* which has no page here */
                                         "not measured",
                                         "valid run: Points (1000)",
-                                        "Use cubic (Integral &amp; more: 1 %), the best of the 2",
+                                        "Use cubic. Integral &amp; more: 1 %, the best of the 2",
                                         "Where each one loses",
                                         "data-first=\"descending\""};
     char *catalogue = catalogue_with("compared>", "compared>"), *output = test_folder_create();
@@ -108,8 +108,8 @@ START_TEST(a_page_says_what_its_case_declares_and_the_front_page_who_counts)
     static const char *const on_page[] = {
         "fell to 0.99",
         "beyond the limit",
-        "Use cubic (Integral &amp; more: 1 %), the best of the 1 that",
-        "1 of 2 do not count",
+        "Use cubic. Integral &amp; more: 1 %, the best of the 1 run",
+        "1 of 2 runs does not count",
         "A run counts with: Integral &amp; more at least 1 %",
         "<li>Mind the &lt;gap&gt;.</li>",
         "The problem.</strong> Powers of x.",
@@ -118,7 +118,7 @@ START_TEST(a_page_says_what_its_case_declares_and_the_front_page_who_counts)
         "<span class=\"about\">A &lt;cube&gt;</span>",
         "<dt>Does not count</dt><dd>ninth: fell to 0.99"};
     static const char *const in_front[] = {"Every variant on every problem", "★ best",
-                                           "✗ fell to 0.99", "Use cubic (Integral"};
+                                           "✗ fell to 0.99", "Use cubic. Integral"};
     char *catalogue = catalogue_with(
              "better: high, tolerance: 1e-6}",
              "better: high, tolerance: 1e-6, limit: 0.9999, beyond: fell to, about: Of x^n.}"),

@@ -8,6 +8,7 @@
 #include "support/verify.h"
 
 #include "verification/pages/figure.h"
+#include "verification/pages/figure_shorten.h"
 #include "verification/pages/markdown.h"
 
 #include <glib.h>
@@ -158,6 +159,30 @@ START_TEST(a_figure_takes_its_text_colour_from_the_reader)
 }
 END_TEST
 
+START_TEST(marks_of_a_figure_that_follow_each_other_are_one_group)
+{
+    char *shorter = figure_shorten("<path stroke='rgb( 10, 0, 255)'/>\n"
+                                   "\t<use xlink:href='#gpPt4' transform='translate(10.00,-4.00) "
+                                   "scale(2.00)' color='rgb(1,2,3)'/>\n"
+                                   "\t<use xlink:href='#gpPt4' transform='translate(30.00,5.00) "
+                                   "scale(2.00)' color='rgb(1,2,3)'/>\n"
+                                   "\t<use xlink:href='#gpPt4' transform='translate(1.00,1.00) "
+                                   "scale(2.00)' color='rgb(9,9,9)'/>\n"
+                                   "\t<use xlink:href='#gpPt4' transform='translate(1.00,1.00) "
+                                   "scale(4.00)' color='rgb(9,9,9)'/>\n"
+                                   "</g>");
+    ck_assert_str_eq(shorter,
+                     "<path stroke='#0a00ff'/>\n<g color='#010203' transform='scale(2.00)'>\n"
+                     "<use xlink:href='#gpPt4' x='5.00' y='-2.00'/>\n"
+                     "<use xlink:href='#gpPt4' x='15.00' y='2.50'/>\n"
+                     "<use xlink:href='#gpPt4' x='0.50' y='0.50' color='#090909'/>\n</g>\n"
+                     "\t<use xlink:href='#gpPt4' transform='translate(1.00,1.00) scale(4.00)' "
+                     "color='#090909'/>\n"
+                     "</g>");
+    g_free(shorter);
+}
+END_TEST
+
 START_TEST(markdown_loses_raw_html_and_its_first_heading)
 {
     char *html = markdown_html("# Title\n\n## Problem\n\n<b>raw</b> [x](javascript:alert(1))\n\n"
@@ -207,6 +232,7 @@ Suite *suite_report(void)
     tcase_add_test(reports, reports_are_well_formed_and_rendered_again_to_the_same_bytes);
     tcase_add_test(reports, result_lines_alone_are_enough_for_a_report);
     tcase_add_test(reports, equations_are_those_of_the_table_and_else_stay_tex);
+    tcase_add_test(reports, marks_of_a_figure_that_follow_each_other_are_one_group);
     tcase_add_test(reports, markdown_loses_raw_html_and_its_first_heading);
     tcase_add_test(reports, markdown_without_a_text_below_its_title_is_an_empty_page);
     suite_add_tcase(suite, reports);

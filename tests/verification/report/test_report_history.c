@@ -97,10 +97,12 @@ START_TEST(a_value_and_a_benchmark_that_step_are_marked_and_stay_in_the_folder)
     char *again = g_strdup_printf("mpm-verify report %s", folders.now);
     for (int round = 0; round < 2; round++) {
         expect_report(round == 0 ? line : again, 0, NULL);
-        expect("table-history-steps.csv", "\"Q/short/ninth\"");
+        expect("table-history-steps.csv", "\"Q/short [ninth]\"");
         expect("table-history-steps.csv", "\"throughput/disk: rate (1/s)\",\"abc\",5,7,");
         expect("table-history-runs.csv", "\"~");
         expect("history.html", "aria-label=\"5 runs, 1 step\"");
+        expect("table-history-runs.csv", "3,\"abc\",\"\",\"\",,,1,"); /* no checks: none failed */
+        expect("history.html", ">no checks</td>");
         expect("index.html", "href=\"history.html\"");
         char *page = test_folder_read(folders.now, "history.html");
         test_assert_well_formed(page, "history.html");

@@ -94,11 +94,26 @@ static double ten_to(int power)
     return g_ascii_strtod(text, NULL); /* pow(10, power) is off by round-off */
 }
 
+/* "5e+06" as "5·10^{6}", "1e+06" as "10^{6}" */
+static void write_out_power(char text[AXIS_TIC_TEXT])
+{
+    char *const e = strchr(text, 'e');
+    if (e == NULL)
+        return;
+    const int power = (int)g_ascii_strtoll(e + 1, NULL, 10);
+    *e = '\0';
+    const bool one = strcmp(text, "1") == 0 || strcmp(text, "-1") == 0;
+    char *const number = g_strndup(text, strlen(text) - (one ? 1 : 0));
+    (void)snprintf(text, AXIS_TIC_TEXT, "%s%s10^{%d}", number, one ? "" : "·", power);
+    g_free(number);
+}
+
 static void write_number(char text[AXIS_TIC_TEXT], double value, int digits)
 {
     char format[8];
     (void)snprintf(format, sizeof format, "%%.%dg", digits);
     (void)g_ascii_formatd(text, AXIS_TIC_TEXT, format, value);
+    write_out_power(text);
 }
 
 static void write_power(char text[AXIS_TIC_TEXT], int step, int power)

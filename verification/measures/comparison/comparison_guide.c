@@ -89,16 +89,19 @@ static void add_equals(GString *text, const struct comparison_table *table, size
 static void add_choice(GString *text, const struct comparison_table *table, size_t choice,
                        size_t leading, size_t cost)
 {
+    const size_t ranked = comparison_count(table, leading);
     char *number = number_of(table, choice, leading);
-    g_string_append_printf(text, "Use %s (%s: %s), the best of the %zu that count",
-                           table->names[choice], table->columns[leading].title, number,
-                           comparison_count(table, leading));
+    char *count = ranked == 1 ? g_strdup("1 run that counts")
+                              : g_strdup_printf("%zu runs that count", ranked);
+    g_string_append_printf(text, "Use %s. %s: %s, the best of the %s", table->names[choice],
+                           table->columns[leading].title, number, count);
     const bool priced = number_in(table, choice, cost) != NULL;
-    add_equals(text, table, choice, leading, ", equal to ");
+    add_equals(text, table, choice, leading, "; equal: ");
     if (comparison_level_count(table, leading) > 1)
-        g_string_append(text, priced ? "; of these among the cheapest, and least behind elsewhere"
-                                     : "; of these least behind elsewhere");
+        g_string_append_printf(text, ". Of these, %s %sloses least in the other columns",
+                               table->names[choice], priced ? "is among the cheapest and " : "");
     g_string_append_c(text, '.');
+    g_free(count);
     g_free(number);
 }
 
@@ -123,8 +126,8 @@ static void add_cost(GString *text, const struct comparison_table *table, size_t
     char *price = number_of(table, cheap, cost);
     const bool known = comparison_rank(table, cheap, leading) > 0;
     char *number = known ? number_of(table, cheap, leading) : g_strdup("no number");
-    g_string_append_printf(text, " Where cost counts more: %s, %s (%s: %s).", table->names[cheap],
-                           price, table->columns[leading].title, number);
+    g_string_append_printf(text, " Cheaper: %s, %s (%s: %s).", table->names[cheap], price,
+                           table->columns[leading].title, number);
     g_free(number);
     g_free(price);
 }
@@ -149,9 +152,8 @@ static void add_outside(GString *text, const struct comparison_table *table)
     for (size_t row = 0; row < table->row_count; row++)
         outside += !comparison_takes_part(table, row);
     if (outside > 0)
-        g_string_append_printf(
-            text, " %zu of %zu do not count: they broke or are beyond a limit (the column Run).",
-            outside, table->row_count);
+        g_string_append_printf(text, " %zu of %zu runs %s not count: broken, or beyond a limit.",
+                               outside, table->row_count, outside == 1 ? "does" : "do");
 }
 
 char *comparison_guide(const struct comparison_table *table, size_t leading, size_t cost)

@@ -8,6 +8,7 @@ set xtics (0.005, 0.01, 0.02, 0.04)
 set ylabel 'error of temperature (% of the amplitude)'
 set xrange [0.004:0.05]
 set yrange [0.2:6]
+set ytics (0.2, 0.5, 1, 2, 5)
 set key tmargin center horizontal maxcols 3 samplen 2.5 width -6
 $exact << EOD
 0.04 2.97261 3.80415
