@@ -110,7 +110,7 @@ PROBE_MAIN     := tests/scene_generator/nodes.c
 FUZZ_SOURCES   := $(sort $(wildcard tests/fuzz/*.c))
 SOURCES := $(sort $(SOLVER_SOURCES) $(FAULTS_SOURCE)) $(FAST_SOURCE) $(FAST_LAWS) $(CLI_SOURCES) $(VERIFY_SOURCES) $(VERIFY_MAIN) \
            $(BENCH_SOURCES) $(BENCH_MAIN) $(TEST_SOURCES) $(PROBE_MAIN) $(FUZZ_SOURCES)
-HEADERS := $(sort $(wildcard $(foreach depth,* */* */*/*,$(patsubst %,%/$(depth).h,\
+HEADERS := $(sort $(wildcard $(foreach depth,* */* */*/* */*/*/*,$(patsubst %,%/$(depth).h,\
              solver verification benchmarks tests))))
 objects  = $(patsubst %.c,$(BUILD)/objects/%.o,$(1))
 

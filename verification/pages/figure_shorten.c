@@ -11,19 +11,26 @@
 static gboolean write_colour(const GMatchInfo *match, GString *text, gpointer data)
 {
     (void)data;
-    g_string_append_c(text, '#');
-    for (int part = 1; part <= 3; part++) {
+    char *quote = g_match_info_fetch(match, 1);
+    g_string_append_printf(text, "=%s#", quote);
+    for (int part = 2; part <= 4; part++) {
         char *number = g_match_info_fetch(match, part);
-        g_string_append_printf(text, "%02x", (unsigned)strtoul(number, NULL, 10) & 0xffu);
+        g_string_append_printf(text, "%02x", (unsigned)strtoul(number, NULL, 10));
         g_free(number);
     }
+    g_string_append(text, quote);
+    g_free(quote);
     return FALSE;
 }
 
+/* 0 to 255 */
+#define PART "(25[0-5]|2[0-4]\\d|1?\\d?\\d)"
+
+/* Of attributes. */
 static char *with_short_colours(const char *svg)
 {
-    GRegex *regex = g_regex_new("rgb\\( *(\\d+), *(\\d+), *(\\d+)\\)", G_REGEX_DEFAULT,
-                                G_REGEX_MATCH_DEFAULT, NULL);
+    GRegex *regex = g_regex_new("=(['\"])rgb\\( *" PART ", *" PART ", *" PART "\\)\\1",
+                                G_REGEX_DEFAULT, G_REGEX_MATCH_DEFAULT, NULL);
     char *text =
         g_regex_replace_eval(regex, svg, -1, 0, G_REGEX_MATCH_DEFAULT, write_colour, NULL, NULL);
     g_regex_unref(regex);
@@ -50,17 +57,23 @@ static char **mark_of(const GRegex *regex, const char *line)
     return parts;
 }
 
+static gboolean is_current(char **mark)
+{
+    return g_str_equal(mark[COLOUR], "currentColor");
+}
+
+/* currentColor is the colour of the group, and so stays out of groups of another colour. */
 static gboolean is_alike(char **one, char **other)
 {
     return one != NULL && other != NULL && g_str_equal(one[KIND], other[KIND]) &&
-           g_str_equal(one[SIZE], other[SIZE]);
+           g_str_equal(one[SIZE], other[SIZE]) && is_current(one) == is_current(other);
 }
 
 /* A place within a group that is scaled. */
 static void add_place(GString *text, const char *name, const char *pixels, const char *size)
 {
     char place[G_ASCII_DTOSTR_BUF_SIZE];
-    g_ascii_formatd(place, sizeof place, "%.2f",
+    g_ascii_formatd(place, sizeof place, "%.3f",
                     g_ascii_strtod(pixels, NULL) / g_ascii_strtod(size, NULL));
     g_string_append_printf(text, " %s='%s'", name, place);
 }

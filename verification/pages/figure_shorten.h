@@ -5,8 +5,8 @@
 #define VERIFICATION_PAGES_FIGURE_SHORTEN_H
 
 /* Colours as #rrggbb; marks of the same kind and size that follow each other are one group, which
- * states the size, and the colour of the first, once. Numbers move by 0.02 of a pixel at most.
- * g_free. */
+ * states the size, and the colour of the first, once. Numbers move by 0.0005 of the size at
+ * most, some thousandths of a pixel. g_free. */
 char *figure_shorten(const char *svg);
 
 #endif

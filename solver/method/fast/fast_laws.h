@@ -16,8 +16,9 @@ enum { MPM_FAST_RECOMPUTE = MPM_AXISYMMETRIC + 1, MPM_FAST_UPDATES };
 #define FAST_NAME_AT(what, level) FAST_NAME_OF(what, level)
 #define FAST_NAME(what)           FAST_NAME_AT(what, FAST_LEVEL)
 
-/* Has a body's law equations on vectors, and its stress nothing that they lack: viscosity, of
- * metals back stress, a table of hardening, softening by a conducted temperature? */
+/* Has a body's law equations on vectors, and its stress nothing that they lack: of elastic
+ * laws viscosity; of metals back stress, a table of hardening, softening by a conducted
+ * temperature? */
 bool mpm_fast_body_has_vectors(const struct mpm_material_spec *body);
 
 struct mpm_fast_law {

@@ -156,7 +156,7 @@ MPM_INLINE mpm_vector linear_elastic_thickness_vector(const struct mpm_material 
     return 1.0 - m->lame / (m->lame + 2.0 * m->shear) * (trace - 2.0);
 }
 
-/* The laws that have these equations on vectors; scenes with others have reference kernels. */
+/* The laws of F alone that have these equations on vectors. */
 #define MPM_VECTOR_LAWS(LAW)                                                                       \
     LAW(neo_hookean)                                                                               \
     LAW(linear_elastic)

@@ -35,12 +35,17 @@ static const struct law_case {
     {"law: johnson_cook, bulk: 0.6, " STRENGTH, true},
     {"law: johnson_cook, bulk: 0.6, " STRENGTH VISCOUS, true},
     {"law: johnson_cook, bulk: 0.6, shear: 0.3, yield_stress: 0.005", false},
+    {"law: johnson_cook, bulk: 0.6, shear: 0.3, yield_stress: 0.005, hardening_coefficient: 0.005, "
+     "hardening_exponent: 0.015",
+     false},
     {"law: von_mises_gruneisen, shear: 0.3, yield_stress: 0.005, " POWER ", " PRESSURE, false},
     {"law: von_mises_gruneisen, shear: 0.3, yield_stress: 0.005, " PRESSURE VISCOUS, false},
     {"law: johnson_cook_gruneisen, " STRENGTH ", " PRESSURE, true},
     {"law: johnson_cook_gruneisen, " STRENGTH ", " PRESSURE VISCOUS, true},
     {"law: johnson_cook_gruneisen, " STRENGTH ", pressure_cutoff: 0.2, " PRESSURE VISCOUS, true},
 };
+
+enum { STEEP_LAW = 6, GRUNEISEN_LAW = 9, LAW_WITH_BOTH = 11 }; /* with melting and cut-off */
 
 static struct test_run open_law(const struct law_case *law, const char *geometry)
 {
@@ -292,7 +297,7 @@ END_TEST
 
 START_TEST(melted_and_cut_states_are_taken_particle_by_particle)
 {
-    static const struct law_case *const law = &laws[10]; /* with both */
+    static const struct law_case *const law = &laws[LAW_WITH_BOTH];
     struct test_run run = open_law(law, "axisymmetric");
     GRand *random = g_rand_new_with_seed(47);
     for (size_t s = 0; s < STATES; s++) {
@@ -307,9 +312,42 @@ START_TEST(melted_and_cut_states_are_taken_particle_by_particle)
 }
 END_TEST
 
+/* The least shear at which a particle of the law yields. */
+static double shear_at_yield(const struct mpm_material *material)
+{
+    double low = 0.0, high = 0.1;
+    for (int k = 0; k < 60; k++) {
+        const double f[MPM_GRADIENT_SIZE] = {
+            [MPM_XX] = 1.0, [MPM_XY] = 0.5 * (low + high), [MPM_YY] = 1.0, [MPM_ZZ] = 1.0};
+        const struct mpm_law_step step = {.old_f = f, .f = f, .duration = 0.02};
+        double state[MPM_LAW_STATES] = {1.0, 1.0, 1.0}, tau[MPM_SYMMETRIC_SIZE], wave;
+        ck_assert(material->law->update(material, &step, state, tau, &wave));
+        *(state[MPM_PLASTIC_STRAIN] > 0.0 ? &high : &low) = f[MPM_XY];
+    }
+    return high;
+}
+
+/* Plastic strains of 1e-300, whose powers leave the range of the exponential function. */
+START_TEST(the_faintest_plastic_strain_has_the_bits_of_one_particle)
+{
+    struct test_run run = open_law(&laws[STEEP_LAW], "axisymmetric");
+    GRand *random = g_rand_new_with_seed(53);
+    const double shear = shear_at_yield(&run.simulation->state.bodies[0].material);
+    for (size_t p = 0; p < BLOCK; p++) {
+        fill_particle(&run, p, &states[0], false, random);
+        run.simulation->state.particles.deformation[MPM_XY][p] = shear;
+    }
+    (void)update_by_both(&run, mpm_fast_laws_baseline, MPM_AXISYMMETRIC, "faint", random, 0.0);
+    ck_assert(*mpm_particle_law_state(&run.simulation->state.particles, 0, MPM_PLASTIC_STRAIN) >
+              0.0);
+    g_rand_free(random);
+    test_run_close(&run);
+}
+END_TEST
+
 START_TEST(back_stress_tables_and_conducted_temperatures_have_no_vectors)
 {
-    struct test_run run = open_law(&laws[8], "axisymmetric");
+    struct test_run run = open_law(&laws[GRUNEISEN_LAW], "axisymmetric");
     struct mpm_material_spec *const material = &run.scene->materials[0];
     double *const given = material->parameter;
     ck_assert(mpm_fast_body_has_vectors(material));
@@ -335,6 +373,7 @@ Suite *suite_fast_metals(void)
     tcase_add_loop_test(bits, four_particles_in_different_states_have_the_bits_of_each_alone, 0,
                         SETUPS);
     tcase_add_test(bits, melted_and_cut_states_are_taken_particle_by_particle);
+    tcase_add_test(bits, the_faintest_plastic_strain_has_the_bits_of_one_particle);
     tcase_add_test(bits, back_stress_tables_and_conducted_temperatures_have_no_vectors);
     suite_add_tcase(suite, bits);
     return suite;

@@ -41,9 +41,8 @@ MPM_INLINE void pull_vector(const mpm_vector f[MPM_GRADIENT_SIZE],
                             mpm_vector out[MPM_SYMMETRIC_SIZE])
 {
     const mpm_vector area = f[MPM_XX] * f[MPM_YY] - f[MPM_XY] * f[MPM_YX];
-    const mpm_vector inverse[MPM_GRADIENT_SIZE] = {f[MPM_YY] / area, -f[MPM_XY] / area,
-                                                   -f[MPM_YX] / area, f[MPM_XX] / area,
-                                                   1.0 / f[MPM_ZZ]};
+    const mpm_vector inverse[MPM_GRADIENT_SIZE] = {
+        f[MPM_YY] / area, -f[MPM_XY] / area, -f[MPM_YX] / area, f[MPM_XX] / area, 1.0 / f[MPM_ZZ]};
     push_vector(inverse, x, out);
 }
 
@@ -87,15 +86,15 @@ MPM_INLINE mpm_vector find_slip_vector(struct metal_law law, const struct metal 
         low = mpm_select(moving & above, slip, low);
         high = mpm_select(moving & ~above, slip, high);
         mpm_vector next = slip + change;
-        const mpm_mask halve = mpm_less(0.5 * last, size) |
-                               ~(mpm_less(low, next) & mpm_less(next, high));
+        const mpm_mask halve =
+            mpm_less(0.5 * last, size) | ~(mpm_less(low, next) & mpm_less(next, high));
         if (mpm_any(halve & moving))
             next = mpm_select(halve, middle_vector(low, high), next);
         slip = mpm_select(moving, next, slip);
         last = size;
         const mpm_vector strain = MPM_ROOT_TWO_THIRDS * slip;
-        yield = metal_strength(law, metal, points->plastic + strain, strain, points->softening,
-                               &slope);
+        yield =
+            metal_strength(law, metal, points->plastic + strain, strain, points->softening, &slope);
     }
     *flowing &= ~moving;
     return slip;
@@ -123,8 +122,8 @@ MPM_INLINE void flow_back_vector(const struct metal *metal, mpm_mask flowing, mp
     select_symmetric(flowing, tau, points->tau);
     select_symmetric(flowing, inverse, points->inverse);
     select_symmetric(flowing, after, points->b_elastic);
-    points->plastic = mpm_select(flowing, points->plastic + MPM_ROOT_TWO_THIRDS * slip,
-                                 points->plastic);
+    points->plastic =
+        mpm_select(flowing, points->plastic + MPM_ROOT_TWO_THIRDS * slip, points->plastic);
 }
 
 /* C_p^-1, p, b_e and the deviator of tau at the end of the step. */
@@ -137,16 +136,15 @@ MPM_INLINE void return_vector(struct metal_law law, const struct metal *metal,
     symmetric_deviate_vector(points->tau);
     for (int k = 0; k < MPM_SYMMETRIC_SIZE; k++)
         points->tau[k] = metal->shear * points->tau[k];
-    const mpm_vector yield = metal_strength(law, metal, points->plastic, mpm_splat(0.0),
-                                            points->softening, &slope);
+    const mpm_vector yield =
+        metal_strength(law, metal, points->plastic, mpm_splat(0.0), points->softening, &slope);
     const mpm_vector norm = symmetric_norm_vector(points->tau);
     const mpm_mask beyond = ~mpm_at_most(norm, MPM_ROOT_TWO_THIRDS * yield);
     if (!mpm_any(beyond))
         return;
     /* without strength the way back has another end: particle by particle */
     mpm_mask flowing = beyond & mpm_less(MPM_PLASTIC_FAINT * norm, yield);
-    const mpm_vector slip =
-        find_slip_vector(law, metal, points, norm, yield, slope, &flowing);
+    const mpm_vector slip = find_slip_vector(law, metal, points, norm, yield, slope, &flowing);
     points->found &= flowing | ~beyond;
     flow_back_vector(metal, flowing, norm, slip, points);
 }
@@ -164,9 +162,9 @@ MPM_INLINE mpm_vector metal_wave_squared(const struct metal *metal, mpm_vector b
     if (!mpm_any(~(positive & mpm_less(most, longitudinal))))
         return longitudinal;
     const mpm_vector part = (elastic[1] - elastic[0]) / elastic[1];
-    const mpm_vector ratio = mpm_select(mpm_less(mpm_splat(1e-8), part),
-                                        mpm_logarithm_vector(elastic[1] / elastic[0]) / part,
-                                        mpm_splat(1.0));
+    const mpm_vector ratio =
+        mpm_select(mpm_less(mpm_splat(1e-8), part),
+                   mpm_logarithm_vector(elastic[1] / elastic[0]) / part, mpm_splat(1.0));
     return mpm_larger(longitudinal, metal->shear * ratio);
 }
 

@@ -196,10 +196,9 @@ MPM_INLINE mpm_vector metal_strength(struct metal_law law, const struct metal *m
 MPM_INLINE mpm_vector metal_work(struct metal_law law, const struct metal *metal,
                                  mpm_vector plastic, mpm_vector change, mpm_vector softening)
 {
-    return law.johnson_cook
-               ? johnson_cook_work_vector(metal, plastic, change, softening)
-               : von_mises_whole_work(metal, plastic) -
-                     von_mises_whole_work(metal, plastic - change);
+    return law.johnson_cook ? johnson_cook_work_vector(metal, plastic, change, softening)
+                            : von_mises_whole_work(metal, plastic) -
+                                  von_mises_whole_work(metal, plastic - change);
 }
 
 #endif

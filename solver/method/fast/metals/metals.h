@@ -1,7 +1,8 @@
-/* Laws of metals in fast kernels: a step of four particles, strength, pressure and viscosity, to the
- * bits of the laws particle by particle (model/laws/, method/transfer/law_state.c). What is rare has
- * no equations here: a state at the cut-off of pressure, no strength, a step without end. Four
- * particles with one of these are taken particle by particle, which also finds what has failed.
+/* Laws of metals in fast kernels: a step of four particles, strength, pressure and viscosity, to
+ * the bits of the laws particle by particle (model/laws/, method/transfer/law_state.c). What is
+ * rare has no equations here: a state at the cut-off of pressure, a temperature beyond its series,
+ * no strength, a step without end. Four particles with one of these are taken particle by particle,
+ * which also finds what has failed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_FAST_METALS_H
@@ -38,9 +39,9 @@ MPM_INLINE void load_metal(struct metal_law law, const struct mpm_particles *par
     points->plastic = mpm_load(mpm_particle_law_state(particles, p, MPM_PLASTIC_STRAIN));
     points->energy =
         law.gruneisen ? mpm_load(mpm_particle_law_state(particles, p, METAL_ENERGY)) : none;
-    points->work = metal_keeps_work(law) ? mpm_load(mpm_particle_law_state(
-                                               particles, p, metal_place_of_work(law)))
-                                         : none;
+    points->work = metal_keeps_work(law)
+                       ? mpm_load(mpm_particle_law_state(particles, p, metal_place_of_work(law)))
+                       : none;
     points->viscous[0] = points->viscous[1] = none;
     if (particles->viscous[0] != NULL) {
         points->viscous[0] = mpm_load(particles->viscous[0] + p);
@@ -54,8 +55,7 @@ MPM_INLINE void store_metal(struct metal_law law, const struct mpm_particles *pa
     for (int k = 0; k < MPM_GRADIENT_SIZE; k++)
         mpm_store(particles->deformation[k] + p, points->f[k]);
     for (size_t k = 0; k < MPM_SYMMETRIC_SIZE; k++) {
-        const mpm_vector pressure =
-            k == MPM_SYM_XY ? mpm_splat(0.0) : points->viscous[0];
+        const mpm_vector pressure = k == MPM_SYM_XY ? mpm_splat(0.0) : points->viscous[0];
         mpm_store(particles->stress[k] + p, points->tau[k] - pressure);
         mpm_store(mpm_particle_law_state(particles, p, MPM_PLASTIC_INVERSE + k),
                   points->inverse[k]);
@@ -84,9 +84,9 @@ MPM_INLINE mpm_vector softening_vector(struct metal_law law, const struct metal 
             metal->material, determinant_vector(points->old_f), points->energy, &points->found);
         points->found &= mpm_at_most(mpm_splat(0.0), temperature);
     } else {
-        temperature = given[MPM_PARAMETER_START_TEMPERATURE] +
-                      given[MPM_PARAMETER_TAYLOR_QUINNEY] * points->work /
-                          given[MPM_PARAMETER_SPECIFIC_HEAT];
+        temperature =
+            given[MPM_PARAMETER_START_TEMPERATURE] +
+            given[MPM_PARAMETER_TAYLOR_QUINNEY] * points->work / given[MPM_PARAMETER_SPECIFIC_HEAT];
     }
     return of_temperature_vector(metal, temperature);
 }
@@ -106,9 +106,8 @@ MPM_INLINE void add_pressure_vector(struct metal_law law, const struct metal *me
     const mpm_vector j = determinant_vector(points->f);
     mpm_vector mean, bulk = mpm_splat(m->bulk);
     if (law.gruneisen) {
-        const mpm_vector pressure =
-            gruneisen_advance_vector(m, determinant_vector(points->old_f), j, heat,
-                                     &points->energy, &bulk, &points->found);
+        const mpm_vector pressure = gruneisen_advance_vector(
+            m, determinant_vector(points->old_f), j, heat, &points->energy, &bulk, &points->found);
         mean = -j * pressure;
         bulk = bulk + mean;
     } else {
@@ -126,12 +125,11 @@ MPM_INLINE void add_viscosity_vector(struct metal_law law, const struct metal *m
     const struct mpm_viscosity *const viscosity = k->viscosity;
     const double cell = k->cell[0] < k->cell[1] ? k->cell[0] : k->cell[1];
     const mpm_vector zero = mpm_splat(0.0);
-    const mpm_vector strain = mpm_logarithm_vector(determinant_vector(points->f) /
-                                                   determinant_vector(points->old_f));
+    const mpm_vector strain =
+        mpm_logarithm_vector(determinant_vector(points->f) / determinant_vector(points->old_f));
     const mpm_vector speed = cell * mpm_larger(-(strain / metal->duration), zero);
     const mpm_vector sound = mpm_square_root(points->wave_squared);
-    const mpm_vector pressure =
-        speed * (viscosity->linear * sound + viscosity->quadratic * speed);
+    const mpm_vector pressure = speed * (viscosity->linear * sound + viscosity->quadratic * speed);
     const mpm_vector heat = -pressure * strain;
     const mpm_mask heated = mpm_less(zero, heat);
     if (law.gruneisen && mpm_any(heated)) {
@@ -167,15 +165,16 @@ MPM_INLINE bool update_metal(struct metal_law law, const struct fast_constants *
     const mpm_mask flows = mpm_less(before, points->plastic);
     mpm_vector work = mpm_splat(0.0);
     if (metal_keeps_work(law) && mpm_any(flows))
-        work = mpm_select(flows,
-                          metal_work(law, metal, points->plastic, points->plastic - before,
-                                     points->softening),
-                          work);
+        work = mpm_select(
+            flows,
+            metal_work(law, metal, points->plastic, points->plastic - before, points->softening),
+            work);
     points->work += work;
     add_pressure_vector(law, metal, metal->heating * work, points);
     if (k->viscosity->given)
         add_viscosity_vector(law, metal, k, energy, points->work - start, points);
-    points->found &= mpm_at_most(points->wave_squared, mpm_splat(DBL_MAX));
+    points->found &= mpm_at_most(points->wave_squared, mpm_splat(DBL_MAX)) &
+                     mpm_at_most(mpm_absolute(points->work), mpm_splat(DBL_MAX));
     if (mpm_any(~points->found))
         return false;
     store_metal(law, particles, p, points);

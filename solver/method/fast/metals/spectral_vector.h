@@ -1,5 +1,5 @@
-/* Functions of symmetric tensors, of four particles at once: the vector twins of base/spectral.h, to
- * the same bits. Equations and their limits stand there.
+/* Functions of symmetric tensors, of four particles at once: the vector twins of base/spectral.h,
+ * to the same bits. Equations and their limits stand there.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef MPM_METHOD_FAST_SPECTRAL_VECTOR_H
@@ -30,8 +30,7 @@ MPM_INLINE void symmetric_logarithm_vector(const mpm_vector a[MPM_SYMMETRIC_SIZE
 {
     const mpm_vector mean = 0.5 * (a[MPM_SYM_XX] + a[MPM_SYM_YY]), half = plane_half_vector(a);
     const mpm_vector ratio = half / mean;
-    const mpm_vector determinant =
-        a[MPM_SYM_XX] * a[MPM_SYM_YY] - a[MPM_SYM_XY] * a[MPM_SYM_XY];
+    const mpm_vector determinant = a[MPM_SYM_XX] * a[MPM_SYM_YY] - a[MPM_SYM_XY] * a[MPM_SYM_XY];
     const mpm_mask small = mpm_less(ratio, mpm_splat(MPM_SPECTRAL_SERIES));
     mpm_vector factor = (1.0 + ratio * ratio * (1.0 / 3.0)) / mean;
     if (mpm_any(~small)) {
@@ -78,8 +77,7 @@ MPM_INLINE void symmetric_deviate_vector(mpm_vector a[MPM_SYMMETRIC_SIZE])
 MPM_INLINE mpm_vector symmetric_norm_vector(const mpm_vector a[MPM_SYMMETRIC_SIZE])
 {
     return mpm_square_root(a[MPM_SYM_XX] * a[MPM_SYM_XX] + a[MPM_SYM_YY] * a[MPM_SYM_YY] +
-                           a[MPM_SYM_ZZ] * a[MPM_SYM_ZZ] +
-                           2.0 * (a[MPM_SYM_XY] * a[MPM_SYM_XY]));
+                           a[MPM_SYM_ZZ] * a[MPM_SYM_ZZ] + 2.0 * (a[MPM_SYM_XY] * a[MPM_SYM_XY]));
 }
 
 #endif
