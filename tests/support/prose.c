@@ -25,7 +25,8 @@ bool test_number_rounds(const char *written, double value)
     if (point == NULL && length > 3) /* 5190 has three digits */
         for (const char *digit = written + length - 1; *digit == '0'; digit--)
             decimals--;
-    const double unit = pow(10.0, (power == NULL ? 0 : atoi(power + 1)) - decimals);
+    const double unit =
+        pow(10.0, (power == NULL ? 0 : (int)strtol(power + 1, NULL, 10)) - decimals);
     return fabs(fabs(value) - strtod(written, NULL)) <= 0.5 * unit * (1.0 + 1e-9);
 }
 

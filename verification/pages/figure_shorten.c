@@ -84,7 +84,7 @@ static void add_mark(GString *text, char **mark, const char *colour)
     g_string_append_printf(text, "<use xlink:href='#%s'", mark[KIND]);
     add_place(text, "x", mark[LEFT], mark[SIZE]);
     add_place(text, "y", mark[TOP], mark[SIZE]);
-    if (!g_str_equal(mark[COLOUR], colour))
+    if (g_strcmp0(mark[COLOUR], colour) != 0)
         g_string_append_printf(text, " color='%s'", mark[COLOUR]);
     g_string_append(text, "/>\n");
 }

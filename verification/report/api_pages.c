@@ -142,11 +142,7 @@ enum mpm_status api_pages_copy(const char *source, const char *folder, struct mp
     GPtrArray *names;
     TRY(source_names(source, &names, error));
     char *const home = g_build_filename(folder, folder_name, NULL);
-    char *const first = g_build_filename(home, first_page, NULL);
     enum mpm_status status = folder_make(home, error);
-    if (status == MPM_OK) /* that of older pages */
-        status = folder_remove(first, error);
-    g_free(first);
     for (unsigned i = 0; status == MPM_OK && i < names->len; i++)
         status = copy_file(source, home, names->pdata[i], error);
     if (status == MPM_OK)

@@ -81,7 +81,7 @@ static bool is_named(const json_t *builds, const char *name)
 static enum mpm_status add_build(json_t *builds, const char *entry, struct mpm_error *error)
 {
     const char *is = strchr(entry, '=');
-    struct records records;
+    struct records records = {0};
     if (is == NULL || is == entry || is[1] == '\0')
         return failure_set(error, MPM_BAD_INPUT, "--headroom \"%s\": allowed is NAME=DIR", entry);
     char *name = g_strndup(entry, (gsize)(is - entry));

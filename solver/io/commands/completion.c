@@ -45,8 +45,11 @@ static bool any_wants_folder(const struct mpm_command_line *line)
 static void print_names_call(const struct mpm_command_line *line, const char *list,
                              const char *folder, const char *otherwise)
 {
-    const int length = (int)(strlen(list) - strlen(wants_folder(list) ? " DIR" : ""));
-    if (wants_folder(list))
+    if (list == NULL) /* no value that is a name */
+        return;
+    const bool with_folder = wants_folder(list);
+    const int length = (int)(strlen(list) - strlen(with_folder ? " DIR" : ""));
+    if (with_folder)
         (void)fprintf(line->out, "%s %.*s -- %s 2> /dev/null%s ", line->program, length, list,
                       folder, otherwise);
     (void)fprintf(line->out, "%s %.*s 2> /dev/null", line->program, length, list);

@@ -194,6 +194,13 @@ static char *find(char *bytes, gsize size, const char *text)
     return NULL;
 }
 
+/* The text without its end. */
+static void overwrite(char *place, const char *text)
+{
+    while (*text != '\0')
+        *place++ = *text++;
+}
+
 /* As another compiler's build would have written it, with a right sum. */
 static void make_of_another_build(const char *name)
 {
@@ -205,10 +212,10 @@ static void make_of_another_build(const char *name)
     char *const place = find(bytes + HEAD, size - HEAD, compiler);
     char *const sum = find(bytes, HEAD, key);
     ck_assert(place != NULL && sum != NULL);
-    memcpy(place, "tcc", 3);
+    overwrite(place, "tcc");
     char *const right =
         g_compute_checksum_for_data(G_CHECKSUM_MD5, (const guchar *)bytes + HEAD, size - HEAD);
-    memcpy(sum + strlen(key), right, strlen(right));
+    overwrite(sum + strlen(key), right);
     set_bytes(name, bytes, size);
     g_free(right);
     g_free(bytes);

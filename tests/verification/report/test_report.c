@@ -170,15 +170,19 @@ START_TEST(marks_of_a_figure_that_follow_each_other_are_one_group)
                                    "scale(2.00)' color='rgb(9,9,9)'/>\n"
                                    "\t<use xlink:href='#gpPt4' transform='translate(1.00,1.00) "
                                    "scale(4.00)' color='rgb(9,9,9)'/>\n"
-                                   "</g>");
+                                   "\t<use xlink:href='#gpPt4' transform='translate(1.00,1.00) "
+                                   "scale(4.00)' color='currentColor'/>\n"
+                                   "<text>rgb(1,2,3)</text></g>");
     ck_assert_str_eq(shorter,
                      "<path stroke='#0a00ff'/>\n<g color='#010203' transform='scale(2.00)'>\n"
-                     "<use xlink:href='#gpPt4' x='5.00' y='-2.00'/>\n"
-                     "<use xlink:href='#gpPt4' x='15.00' y='2.50'/>\n"
-                     "<use xlink:href='#gpPt4' x='0.50' y='0.50' color='#090909'/>\n</g>\n"
+                     "<use xlink:href='#gpPt4' x='5.000' y='-2.000'/>\n"
+                     "<use xlink:href='#gpPt4' x='15.000' y='2.500'/>\n"
+                     "<use xlink:href='#gpPt4' x='0.500' y='0.500' color='#090909'/>\n</g>\n"
                      "\t<use xlink:href='#gpPt4' transform='translate(1.00,1.00) scale(4.00)' "
                      "color='#090909'/>\n"
-                     "</g>");
+                     "\t<use xlink:href='#gpPt4' transform='translate(1.00,1.00) scale(4.00)' "
+                     "color='currentColor'/>\n"
+                     "<text>rgb(1,2,3)</text></g>");
     g_free(shorter);
 }
 END_TEST
