@@ -76,13 +76,14 @@ function overlaps(lines) {
 }
 
 /* Words of tables that a narrow column breaks, of those for which there is room in it. A name breaks after
- * its underscores, and its parts are words. */
+ * its underscores, and its parts are words; scripts without spaces break anywhere. */
 function brokenWords(nodes) {
   const found = new Set(), range = document.createRange();
   for (const node of nodes) {
     const cell = node.parentElement.closest("td, th");
     if (cell === null) continue;
-    for (const { 0: word, index } of node.data.matchAll(/[\p{L}\p{N}]{2,}/gu)) {
+    for (const { 0: word, index } of node.data.matchAll(/[\p{Script=Latin}\p{Script=Greek}\p{N}]{2,}/gu)) {
+      if (word.length > 24) continue; // longer than the words of a sentence
       range.setStart(node, index);
       range.setEnd(node, index + word.length);
       const boxes = Array.from(range.getClientRects()).filter(({ width }) => width > 0);
