@@ -68,9 +68,11 @@ int test_exit_status(pid_t process)
 
 int test_run_all(const char *catalogue, const char *output)
 {
-    const struct test_said said =
+    struct test_said said =
         test_verify_with("mpm-verify run --catalogue @ --output @", catalogue, output);
-    return said.exit_status;
+    const int exit_status = said.exit_status;
+    test_said_free(&said);
+    return exit_status;
 }
 
 void test_wait_for(const char *folder, const char *name)
