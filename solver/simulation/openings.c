@@ -80,11 +80,16 @@ static enum mpm_status add_segment(const struct mpm_state *state, size_t crack, 
 void mpm_openings_grow(struct mpm_state *state, size_t crack, size_t added,
                        const double undeformed[2][2])
 {
+    struct mpm_crack_openings *const openings = &state->cracks.openings;
     const double *const from = undeformed[0], *const to = undeformed[1];
+    for (int axis = 0; axis < 2 && mpm_crack_is_followed(&state->scene->cracks[crack]); axis++)
+        openings->vector[axis][added] = 0.0; /* a checkpoint may have something else there */
     const double width = state->scene->geometry == MPM_AXISYMMETRIC ? 0.5 * (from[0] + to[0])
                                                                     : state->scene->thickness;
-    if (state->scene->cracks[crack].cohesive.law != NULL)
-        state->cracks.openings.area[added] = hypot(to[0] - from[0], to[1] - from[1]) * width;
+    if (state->scene->cracks[crack].cohesive.law != NULL) {
+        openings->largest[added] = 0.0;
+        openings->area[added] = hypot(to[0] - from[0], to[1] - from[1]) * width;
+    }
 }
 
 /* ------------------------------------------------------------------ filling */

@@ -210,9 +210,9 @@ void mpm_contact_energies(const struct mpm_state *state, double *stored, double 
 double mpm_contact_held(const struct mpm_state *state);
 
 /* The point that a crack has grown by, with a segment of which the ends were there in the
- * undeformed body. Points of which nothing has been made yet are closed, with a law that has not
- * been opened. The area of the segment is that of the new point alone: half of it with the last
- * point, which has opened already, would be given a work that no traction has done. */
+ * undeformed body. The point is closed, with a law that has not been opened. The area of the
+ * segment is that of the new point alone: half of it with the last point, which has opened already,
+ * would be given a work that no traction has done. */
 void mpm_openings_grow(struct mpm_state *state, size_t crack, size_t added,
                        const double undeformed[2][2]);
 /* MPM_BAD_INPUT: a cohesive law stiffer than the first time step can follow. */

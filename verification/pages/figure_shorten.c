@@ -40,7 +40,7 @@ static char *with_short_colours(const char *svg)
 /* ---------------------------------------------------------------------- marks */
 
 /* Of a line that is a mark: its parts as text. */
-enum { KIND = 1, LEFT, TOP, SIZE, COLOUR, PARTS };
+enum { KIND = 1, LEFT, TOP, SIZE, COLOUR };
 static const char mark_line[] = "^\\s*<use xlink:href='#(\\w+)' transform='translate\\(([-\\d.]+),"
                                 "([-\\d.]+)\\) scale\\(([\\d.]+)\\)' color='([^']+)'/>\\s*$";
 

@@ -84,8 +84,8 @@ static enum mpm_status read_measures(struct study *study, struct mpm_error *erro
     return MPM_OK;
 }
 
-/* A simulation for a moment: a run gives its particles after the first step only. Nobody looks at
- * it, so that pictures are of the run. */
+/* A simulation for a moment: a run gives its particles after the first step only. It
+ * has no monitor, so that pictures are of the run. */
 static enum mpm_status read_start(struct study *study, const struct mpm_scene *scene,
                                   struct mpm_error *error)
 {

@@ -10,7 +10,7 @@
 
 enum { BAR_WIDTH = 30, BAR_LEAST = 5 };
 
-/* Characters that fit into a line without a break; a lot where nobody knows. */
+/* Characters that fit into a line without a break; many where that is not known. */
 static size_t columns_of(FILE *out)
 {
     struct winsize size = {.ws_col = 0};

@@ -115,14 +115,6 @@ static void weigh(const struct mpm_state *state, struct mpm_crack_surface *surfa
         surface->weight[k] /= sum;
 }
 
-static bool is_in_grid(const struct mpm_grid *grid, const double place[2])
-{
-    bool in = true;
-    for (int axis = 0; axis < 2; axis++)
-        in = in && place[axis] >= grid->origin[axis] && place[axis] <= mpm_grid_end(grid, axis);
-    return in;
-}
-
 /* `from` lies beside the crack on the surface's side, `place` is where the surface is. */
 static void find_surface(const struct mpm_state *state, const double from[2], const double place[2],
                          struct mpm_crack_surface *surface)
@@ -130,12 +122,10 @@ static void find_surface(const struct mpm_state *state, const double from[2], co
     struct mpm_stencil stencil;
     enum mpm_crack_side side[MPM_STENCIL_MAX];
     const struct mpm_shape_domain domain = {.position = {place[0], place[1]}};
-    surface->count = 0;
-    if (!is_in_grid(&state->grid, place)) /* no nodes there */
-        return;
     const struct mpm_crack_box box = box_around(state, from, place);
     mpm_shape_classic.evaluate(&state->shape_grid, &domain, &stencil);
     find_sides(state, from, &box, &stencil, side);
+    surface->count = 0;
     for (int k = 0; k < stencil.count; k++) {
         const int64_t field = field_of(state, state->node_zero + stencil.node[k].node, side[k]);
         if (field >= 0 && stencil.node[k].s > 0.0)

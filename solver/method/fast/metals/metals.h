@@ -13,11 +13,7 @@
 #include "method/fast/metals/gruneisen_vector.h"
 #include "model/laws/gruneisen_solid.h"
 
-/* State variables of johnson_cook: after those of all metals, its plastic work. */
-enum { METAL_ENERGY = MPM_SOLID_ENERGY, METAL_WORK = MPM_SOLID_WORK };
-enum { METAL_WORK_WITHOUT_ENERGY = MPM_PLASTIC_VARIABLES };
-
-/* Which state variable is the plastic work; von_mises has none. */
+/* Is the plastic work a state variable? That of von_mises is a function of p. */
 MPM_INLINE bool metal_keeps_work(struct metal_law law)
 {
     return law.gruneisen || law.johnson_cook;
@@ -25,7 +21,7 @@ MPM_INLINE bool metal_keeps_work(struct metal_law law)
 
 MPM_INLINE size_t metal_place_of_work(struct metal_law law)
 {
-    return law.gruneisen ? (size_t)METAL_WORK : (size_t)METAL_WORK_WITHOUT_ENERGY;
+    return law.gruneisen ? (size_t)MPM_SOLID_WORK : (size_t)MPM_PLASTIC_VARIABLES;
 }
 
 MPM_INLINE void load_metal(struct metal_law law, const struct mpm_particles *particles, size_t p,
@@ -38,7 +34,7 @@ MPM_INLINE void load_metal(struct metal_law law, const struct mpm_particles *par
             mpm_load(mpm_particle_law_state(particles, p, MPM_PLASTIC_INVERSE + k));
     points->plastic = mpm_load(mpm_particle_law_state(particles, p, MPM_PLASTIC_STRAIN));
     points->energy =
-        law.gruneisen ? mpm_load(mpm_particle_law_state(particles, p, METAL_ENERGY)) : none;
+        law.gruneisen ? mpm_load(mpm_particle_law_state(particles, p, MPM_SOLID_ENERGY)) : none;
     points->work = metal_keeps_work(law)
                        ? mpm_load(mpm_particle_law_state(particles, p, metal_place_of_work(law)))
                        : none;
@@ -62,7 +58,7 @@ MPM_INLINE void store_metal(struct metal_law law, const struct mpm_particles *pa
     }
     mpm_store(mpm_particle_law_state(particles, p, MPM_PLASTIC_STRAIN), points->plastic);
     if (law.gruneisen)
-        mpm_store(mpm_particle_law_state(particles, p, METAL_ENERGY), points->energy);
+        mpm_store(mpm_particle_law_state(particles, p, MPM_SOLID_ENERGY), points->energy);
     if (metal_keeps_work(law))
         mpm_store(mpm_particle_law_state(particles, p, metal_place_of_work(law)), points->work);
     if (particles->viscous[0] != NULL) {
